@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The seam for joints: a constraint Phi(q, t) = 0 on one or more bodies, as blocks over the
+// coordinates of those bodies only. The global matrix is nobody's business here.
+//
+//   Phi(q, t) = 0                    rows equations, [m] or [rad]
+//   G  = dPhi/dq                     rows x 3k, k bodies, (x, y, angle) of each in turn
+//   G v + Phi_t = 0                  velocity level
+//   G v' = gamma                     acceleration level, gamma = -(H v + d(G v + Phi_t)/dt)
+//   H  = d(G v + Phi_t)/dq           rows x 3k
+//   K  = d(G^T lambda)/dq            3k x 3k, symmetric
+//   M v' + G^T lambda = Q            so the joint pushes the bodies with -G^T lambda
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <yoke/core/motion.hpp>
+
+namespace yoke {
+
+class Model;
+
+enum class Measure { length, angle };  ///< what an equation of Phi is measured in: [m] or [rad]
+
+/// One scalar equation of a joint, as it is named in errors: "pivot: x".
+struct Equation {
+  std::string label;
+  Measure measure = Measure::length;
+};
+
+/// What evaluate() shall compute. A null pointer means "not wanted". All blocks are row-major. G
+/// and H keep the zeros outside the declared pattern; K is zero on entry.
+struct ConstraintRequest {
+  double* phi = nullptr;           // [rows]
+  double* G = nullptr;             // [rows x 3k]
+  double* phi_t = nullptr;         // [rows] partial derivative by time
+  double* gamma = nullptr;         // [rows]
+  double* H = nullptr;             // [rows x 3k]
+  double* K = nullptr;             // [3k x 3k] for the multipliers `lambda`
+  const double* lambda = nullptr;  // [rows], given when K is wanted
+};
+
+/// Base of every joint. Immutable once built, so threads may share it.
+class Constraint {
+ public:
+  /// `pattern` marks the entries of G that can be non-zero, row-major rows x 3k; empty: all can.
+  Constraint(std::string name, std::vector<BodyId> bodies, std::vector<Equation> equations,
+             std::vector<bool> pattern = {});
+  virtual ~Constraint() = default;
+
+  const std::string& name() const { return name_; }
+  const std::vector<BodyId>& bodies() const { return bodies_; }
+  const std::vector<Equation>& equations() const { return equations_; }
+  int rows() const { return static_cast<int>(equations_.size()); }
+  int columns() const { return 3 * static_cast<int>(bodies_.size()); }
+  bool in_pattern(int row, int column) const {
+    return pattern_.empty() || pattern_[static_cast<std::size_t>(row * columns() + column)];
+  }
+
+  /// Fills what the request asks for. Called in the innermost loop: must not allocate or throw.
+  virtual void evaluate(const Motion& motion, const ConstraintRequest& out) const = 0;
+
+  /// Where the joint's reaction is reported: a global point [m]. Default: centre of the last body.
+  virtual Vec2 reaction_point(const Motion& motion) const;
+
+  /// True if Phi depends on time, so that the joint does work on the mechanism (a driver).
+  virtual bool rheonomic() const { return false; }
+
+ private:
+  std::string name_;
+  std::vector<BodyId> bodies_;
+  std::vector<Equation> equations_;
+  std::vector<bool> pattern_;
+};
+
+}  // namespace yoke

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What one contact remembers between events. Lives in the State, is written by events only.
+#pragma once
+
+#include <limits>
+
+namespace yoke {
+
+enum class ContactPhase { apart, compressing, restituting };
+
+/// Discrete memory of one contact. Penetration > 0 in contact, rate > 0 while approaching.
+struct ContactMemory {
+  ContactPhase phase = ContactPhase::apart;
+  int region = 0;                    // which part of the geometry is (or was last) touched
+  double onset_time = 0.0;           // [s]
+  double approach_velocity = 0.0;    // [m/s] rate at the located onset
+  double effective_mass = 0.0;       // [kg] along the normal at onset, 1/(n^T J A J^T n)
+  double largest_penetration = 0.0;  // [m] at the last end of compression
+  double permanent_set = 0.0;        // [m] residual indentation left by this contact
+  double release_penetration =
+      0.0;  // [m] where it let go, if that was above zero and is not cleared
+  friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
+};
+
+}  // namespace yoke

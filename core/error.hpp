@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Errors a user can act on. A modelling mistake throws ModelError before anything moves; numerical
+// difficulty during a run is data in the Summary of the Result, never an exception.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace yoke {
+
+/// A mistake in a model or in the options of a run. The message names the element, the parameter,
+/// the value given and the range accepted.
+class ModelError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Results could not be written (folder not writable, disk full). The message names the path.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws ModelError unless `value` is finite. `owner` is for instance "body 'crank'".
+inline void require_finite(std::string_view owner, std::string_view parameter, double value) {
+  if (!std::isfinite(value))
+    throw ModelError(fmt::format("{}: {} = {} must be a finite number", owner, parameter, value));
+}
+
+/// Throws ModelError unless `value` is finite and > 0; `unit` is printed after the value.
+inline void require_positive(std::string_view owner, std::string_view parameter, double value,
+                             std::string_view unit) {
+  if (!(std::isfinite(value) && value > 0.0))
+    throw ModelError(fmt::format("{}: {} = {:g} {} must be finite and greater than 0 {}", owner,
+                                 parameter, value, unit, unit));
+}
+
+/// Throws ModelError unless `value` is finite and >= 0.
+inline void require_not_negative(std::string_view owner, std::string_view parameter, double value,
+                                 std::string_view unit) {
+  if (!(std::isfinite(value) && value >= 0.0))
+    throw ModelError(fmt::format("{}: {} = {:g} {} must be finite and at least 0 {}", owner,
+                                 parameter, value, unit, unit));
+}
+
+/// Throws ModelError unless low <= value <= high.
+inline void require_range(std::string_view owner, std::string_view parameter, double value,
+                          double low, double high, std::string_view unit = "") {
+  if (!(value >= low && value <= high))
+    throw ModelError(fmt::format("{}: {} = {:g} {} is outside the accepted range {:g} to {:g} {}",
+                                 owner, parameter, value, unit, low, high, unit));
+}
+
+}  // namespace yoke

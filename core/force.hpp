@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The seam for force elements: springs, loads, contacts. An element gives the generalised force on
+// its own bodies, its derivatives, its energy; it may own states z with z' = f(q, v, z, t),
+// changeable parameters, a contact memory and events.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <yoke/core/contact_memory.hpp>
+#include <yoke/core/motion.hpp>
+
+namespace yoke {
+
+class Model;
+
+/// A number that may be changed from run to run without building the model again. It lives in the
+/// State under "element.name".
+struct Parameter {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+};
+
+/// A quantity an element reports at every output sample. `labels` not empty: the value is an index
+/// into it and is written as text.
+struct Channel {
+  std::string name;  // for instance "penetration"
+  std::string unit;  // for instance "m"; the column is called element.penetration_m
+  std::vector<std::string> labels{};
+};
+
+/// Energy of one element. Powers are rates of energy leaving (dissipated) or entering (supplied).
+struct Energy {
+  double potential = 0.0;         // [J] gravity, springs
+  double stored = 0.0;            // [J] what contacts would give back
+  double dissipated_power = 0.0;  // [W], >= 0 for a passive element
+  double supplied_power = 0.0;    // [W] work done on the mechanism per time by a load
+};
+
+/// What a force element may read.
+struct ForceInput {
+  const Motion& motion;
+  const double* z = nullptr;               // [states()]
+  const double* parameters = nullptr;      // [parameters().size()]
+  const ContactMemory* contact = nullptr;  // [contacts()]
+};
+
+/// What evaluate() shall compute; null means not wanted. Blocks are row-major and zero on entry.
+struct ForceRequest {
+  double* Q = nullptr;      // [3k] generalised force: N, N, N m about the centre of each body
+  double* dQ_dq = nullptr;  // [3k x 3k]
+  double* dQ_dv = nullptr;  // [3k x 3k]
+  double* dQ_dz = nullptr;  // [3k x nz]
+  double* z_dot = nullptr;  // [nz]
+  double* dz_dq = nullptr;  // [nz x 3k]
+  double* dz_dv = nullptr;  // [nz x 3k]
+  double* dz_dz = nullptr;  // [nz x nz]
+  Energy* energy = nullptr;
+};
+
+/// What happened at a located event, as it is written to events.csv.
+struct EventRecord {
+  double t = 0.0;       // [s]
+  std::string element;  // name of the force element
+  std::string kind;     // "onset", "release", "region", ...
+  std::string region;   // which part of the geometry, after the event
+  double speed = 0.0;   // [m/s] penetration rate at the event, > 0 approaching
+  double value = 0.0;   // [m] penetration at the event
+};
+
+/// Given to an element when one of its event functions has crossed zero. The state is projected and
+/// the accelerations are consistent.
+struct EventContext {
+  ForceInput input;
+  ContactMemory* contact = nullptr;  // to be changed
+  /// [kg] 1/(d A d^T) for a direction d [3k] in the coordinates of the element's bodies, A the
+  /// inverse inertia of the constrained mechanism.
+  std::function<double(const double* direction)> effective_mass;
+  /// [m/s^2 ...] accelerations [3k] of the element's bodies.
+  const double* acceleration = nullptr;
+  std::function<void(EventRecord)> record;  // t and element are filled in
+  std::function<void(std::string)> fail;    // stops the run with this reason
+};
+
+/// How the force of an element depends on the state: what the sparsity pattern needs to know.
+struct Dependence {
+  bool position = true;
+  bool velocity = true;
+};
+
+/// Base of every force element. Immutable once built; what changes lives in the State.
+class ForceElement {
+ public:
+  ForceElement(std::string name, std::vector<BodyId> bodies, Dependence dependence = {});
+  virtual ~ForceElement() = default;
+
+  const std::string& name() const { return name_; }
+  Dependence dependence() const { return dependence_; }
+  /// The bodies it acts on, in the order of its blocks. Gravity answers: all of the model.
+  virtual std::vector<BodyId> bodies(const Model&) const { return bodies_; }
+
+  /// Fills what the request asks for. Innermost loop: must not allocate or throw.
+  virtual void evaluate(const ForceInput& in, const ForceRequest& out) const = 0;
+
+  virtual bool dissipates() const { return false; }  ///< keeps a quadrature of dissipated_power
+  virtual bool supplies() const { return false; }    ///< keeps a quadrature of supplied_power
+
+  virtual std::vector<Channel> states() const { return {}; }  ///< the z it owns: names and units
+  virtual void initial_states(double* /*z*/) const {}
+  virtual std::vector<Parameter> parameters() const { return {}; }
+
+  virtual int contacts() const { return 0; }  ///< how many ContactMemory it owns
+  /// Sets the contact memory of a state at which a run starts (touching or not).
+  virtual void initialise_contacts(EventContext&) const {}
+  /// [m] size of penetration to be resolved; 0: no contact. Sets the error weight of its bodies.
+  virtual double penetration_scale() const { return 0.0; }
+  /// Number of event functions. Slot i fires when its function crosses zero upwards.
+  virtual int events() const { return 0; }
+  virtual void calc_events(const ForceInput&, double* /*g*/) const {}
+  virtual void handle_event(int /*slot*/, EventContext&) const {}
+
+  virtual std::vector<Channel> channels() const { return {}; }
+  virtual void calc_channels(const ForceInput&, double* /*values*/) const {}
+
+ protected:
+  const std::vector<BodyId>& own_bodies() const { return bodies_; }
+
+ private:
+  std::string name_;
+  std::vector<BodyId> bodies_;
+  Dependence dependence_;
+};
+
+}  // namespace yoke

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/model.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+Constraint::Constraint(std::string name, std::vector<BodyId> bodies,
+                       std::vector<Equation> equations, std::vector<bool> pattern)
+    : name_(std::move(name)),
+      bodies_(std::move(bodies)),
+      equations_(std::move(equations)),
+      pattern_(std::move(pattern)) {}
+
+Vec2 Constraint::reaction_point(const Motion& motion) const {
+  return motion[bodies_.back()].position();
+}
+
+ForceElement::ForceElement(std::string name, std::vector<BodyId> bodies, Dependence dependence)
+    : name_(std::move(name)), bodies_(std::move(bodies)), dependence_(dependence) {}
+
+Body with_point_mass(Body body, double mass, const Vec2& at) {
+  require_positive(fmt::format("body '{}'", body.name), "point mass", mass, "kg");
+  const double total = body.mass + mass;
+  const Vec2 centre = (body.mass * body.pose.position + mass * at) / total;
+  body.inertia +=
+      body.mass * (body.pose.position - centre).squaredNorm() + mass * (at - centre).squaredNorm();
+  body.twist.velocity += body.twist.omega * perp(centre - body.pose.position);
+  body.pose.position = centre;
+  body.mass = total;
+  return body;
+}
+
+namespace {
+
+std::string known_names(const std::vector<Body>& bodies) {
+  std::string list;
+  for (const Body& body : bodies) list += (list.empty() ? "'" : ", '") + body.name + "'";
+  return list;
+}
+
+void check_finite(const std::string& owner, const Body& body) {
+  require_finite(owner, "pose x", body.pose.position.x());
+  require_finite(owner, "pose y", body.pose.position.y());
+  require_finite(owner, "pose angle", body.pose.angle);
+  require_finite(owner, "velocity x", body.twist.velocity.x());
+  require_finite(owner, "velocity y", body.twist.velocity.y());
+  require_finite(owner, "angular velocity", body.twist.omega);
+}
+
+}  // namespace
+
+Model::Model() {
+  bodies_.push_back(Body{.name = "ground"});
+  body_index_.emplace("ground", 0);
+}
+
+BodyId Model::add(Body body) {
+  const std::string owner = fmt::format("body '{}'", body.name);
+  if (body.name.empty()) throw ModelError("a body needs a name that is not empty");
+  if (body_index_.contains(body.name))
+    throw ModelError(owner + ": this name is taken by another body");
+  require_positive(owner, "mass", body.mass, "kg");
+  require_positive(owner, "inertia", body.inertia, "kg m^2");
+  check_finite(owner, body);
+  body_index_.emplace(body.name, body_count() + 1);
+  bodies_.push_back(std::move(body));
+  return BodyId{body_count()};
+}
+
+const Body& Model::body(BodyId id) const {
+  if (id.index < 0 || id.index > body_count())
+    throw ModelError(fmt::format("unknown body {}: the model has bodies 0 to {} ({})", id.index,
+                                 body_count(), known_names(bodies_)));
+  return bodies_[static_cast<std::size_t>(id.index)];
+}
+
+BodyId Model::find_body(std::string_view name) const {
+  if (const auto found = body_index_.find(std::string(name)); found != body_index_.end())
+    return BodyId{found->second};
+  throw ModelError(fmt::format("unknown body '{}': the model has {}", name, known_names(bodies_)));
+}
+
+void Model::check_new_element(const std::string& name, const std::vector<BodyId>& bodies) {
+  if (name.empty()) throw ModelError("a joint or force needs a name that is not empty");
+  for (const BodyId id : bodies)
+    if (id.index < 0 || id.index > body_count())
+      throw ModelError(fmt::format("'{}': unknown body {}: the model has bodies 0 to {}", name,
+                                   id.index, body_count()));
+  std::vector<int> indices;
+  for (const BodyId id : bodies) indices.push_back(id.index);
+  std::ranges::sort(indices);
+  if (const auto twice = std::ranges::adjacent_find(indices); twice != indices.end())
+    throw ModelError(fmt::format(
+        "'{}': body '{}' is given twice; a joint or force acts between different bodies", name,
+        body(BodyId{*twice}).name));
+  if (!element_names_.insert(name).second)
+    throw ModelError(fmt::format("'{}': this name is taken by another joint or force", name));
+}
+
+void Model::insert(std::unique_ptr<Constraint> constraint) {
+  if (std::ranges::all_of(constraint->bodies(), [](BodyId id) { return id == ground; }))
+    throw ModelError(
+        fmt::format("joint '{}': at least one of its bodies must move", constraint->name()));
+  check_new_element(constraint->name(), constraint->bodies());
+  constraints_.push_back(std::move(constraint));
+}
+
+void Model::insert(std::unique_ptr<ForceElement> force) {
+  check_new_element(force->name(), force->bodies(*this));
+  for (const Parameter& p : force->parameters())
+    require_finite(fmt::format("'{}'", force->name()), p.name, p.value);
+  forces_.push_back(std::move(force));
+}
+
+Vec2 Model::to_local(BodyId id, const Vec2& global_point) const {
+  return direction_to_local(id, global_point - body(id).pose.position);
+}
+
+Vec2 Model::direction_to_local(BodyId id, const Vec2& global_direction) const {
+  return rotate(-body(id).pose.angle, global_direction);
+}
+
+State Model::start_state() const {
+  const Eigen::Index n = 3 * body_count();
+  State state;
+  state.q.resize(n);
+  state.v.resize(n);
+  state.a = Eigen::VectorXd::Zero(n);
+  for (int i = 0; i < body_count(); ++i) {
+    const Body& b = bodies_[static_cast<std::size_t>(i) + 1];
+    state.q.segment<3>(3 * i) << b.pose.position, b.pose.angle;
+    state.v.segment<3>(3 * i) << b.twist.velocity, b.twist.omega;
+  }
+  Eigen::Index multipliers = 0, states = 0, quadratures = 0;
+  std::size_t contacts = 0;
+  for (const auto& c : constraints_) {
+    multipliers += c->rows();
+    quadratures += c->rheonomic() ? 1 : 0;
+  }
+  for (const auto& f : forces_) {
+    states += static_cast<Eigen::Index>(f->states().size());
+    quadratures += (f->dissipates() ? 1 : 0) + (f->supplies() ? 1 : 0);
+    contacts += static_cast<std::size_t>(f->contacts());
+    for (const Parameter& p : f->parameters()) state.parameters.push_back(p.value);
+  }
+  state.lambda = Eigen::VectorXd::Zero(multipliers);
+  state.energy = Eigen::VectorXd::Zero(quadratures);
+  state.z = Eigen::VectorXd::Zero(states);
+  state.contacts.resize(contacts);
+  Eigen::Index offset = 0;
+  for (const auto& f : forces_) {
+    const auto count = static_cast<Eigen::Index>(f->states().size());
+    if (count > 0) f->initial_states(state.z.data() + offset);
+    offset += count;
+  }
+  return state;
+}
+
+std::size_t Model::find_parameter(std::string_view name) const {
+  std::size_t index = 0;
+  std::string known;
+  for (const auto& f : forces_) {
+    for (const Parameter& p : f->parameters()) {
+      const std::string full = f->name() + "." + p.name;
+      if (full == name) return index;
+      known += (known.empty() ? "'" : ", '") + full + "'";
+      ++index;
+    }
+  }
+  throw ModelError(fmt::format("unknown parameter '{}': the model has {}", name,
+                               known.empty() ? "no changeable parameters" : known));
+}
+
+}  // namespace yoke

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What a mechanism is. Built by add(...), const while it moves, shared by threads.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <yoke/core/constraint.hpp>
+#include <yoke/core/error.hpp>
+#include <yoke/core/force.hpp>
+#include <yoke/core/state.hpp>
+
+namespace yoke {
+
+/// Something Model::add accepts: a description with build(model) giving a constraint or a force
+/// element. Every joint and force of the library is one; so is a user's own.
+template <class D>
+concept ElementDescription = requires(const D& d, const Model& m) {
+  { d.build(m) } -> std::convertible_to<std::unique_ptr<Constraint>>;
+}
+|| requires(const D& d, const Model& m) {
+  { d.build(m) } -> std::convertible_to<std::unique_ptr<ForceElement>>;
+};
+
+class Model {
+ public:
+  Model();
+
+  /// Adds a body. Throws ModelError if its name is empty or taken, its mass or inertia not
+  /// positive, or a number not finite.
+  BodyId add(Body body);
+
+  /// Adds a joint or force from its description, placed by global geometry in the start pose.
+  /// Throws ModelError for a name that is empty or taken, an unknown body, a body given twice.
+  template <ElementDescription D>
+  void add(const D& description) {
+    insert(description.build(*this));
+  }
+  void insert(std::unique_ptr<Constraint> constraint);
+  void insert(std::unique_ptr<ForceElement> force);
+
+  int body_count() const { return static_cast<int>(bodies_.size()) - 1; }
+  /// All bodies, index 0 is the ground.
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const Body& body(BodyId id) const;
+  /// Throws ModelError that lists the known names.
+  BodyId find_body(std::string_view name) const;
+  const std::vector<std::unique_ptr<Constraint>>& constraints() const { return constraints_; }
+  const std::vector<std::unique_ptr<ForceElement>>& forces() const { return forces_; }
+
+  /// Geometry of the start pose, for placing elements: a global point in the frame of a body [m].
+  Vec2 to_local(BodyId id, const Vec2& global_point) const;
+  /// A global direction in the frame of a body.
+  Vec2 direction_to_local(BodyId id, const Vec2& global_direction) const;
+
+  /// The state the bodies were described in: not yet assembled, z and parameters at their defaults.
+  State start_state() const;
+  /// Index into State::parameters of "element.parameter". Throws ModelError.
+  std::size_t find_parameter(std::string_view name) const;
+
+ private:
+  void check_new_element(const std::string& name, const std::vector<BodyId>& bodies);
+
+  std::vector<Body> bodies_;
+  std::unordered_map<std::string, int> body_index_;
+  std::unordered_set<std::string> element_names_;
+  std::vector<std::unique_ptr<Constraint>> constraints_;
+  std::vector<std::unique_ptr<ForceElement>> forces_;
+};
+
+}  // namespace yoke

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/result.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include <yoke/core/error.hpp>
+
+namespace yoke {
+
+namespace {
+
+/// A file that keeps whole lines only: what does not fit on the disk is cut at the last line end.
+class LineWriter {
+ public:
+  explicit LineWriter(std::filesystem::path path)
+      : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w"), &std::fclose) {
+    if (!file_) fail();
+    buffer_.reserve(1 << 16);
+  }
+  void line(std::string_view text) {
+    buffer_.append(text);
+    buffer_.push_back('\n');
+    if (buffer_.size() > (1 << 15)) flush();
+  }
+  void flush() {
+    const std::size_t done = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
+    if (done != buffer_.size() || std::fflush(file_.get()) != 0) cut_and_fail();
+    written_ += static_cast<off_t>(buffer_.size());
+    buffer_.clear();
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  }
+  [[noreturn]] void cut_and_fail() {
+    const int error = errno;
+    // Lines of this block that reached the disk are kept, the torn one is cut off.
+    std::FILE* readable = std::fopen(path_.c_str(), "r");
+    off_t whole = written_;
+    if (readable != nullptr) {
+      std::fseek(readable, written_, SEEK_SET);
+      off_t position = written_;
+      for (int c = std::fgetc(readable); c != EOF; c = std::fgetc(readable)) {
+        ++position;
+        if (c == '\n') whole = position;
+      }
+      std::fclose(readable);
+    }
+    [[maybe_unused]] const int cut = ::ftruncate(fileno(file_.get()), whole);
+    errno = error;
+    fail();
+  }
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::string buffer_;
+  off_t written_ = 0;
+};
+
+nlohmann::json number(double x) {
+  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
+}
+
+}  // namespace
+
+void Table::add_column(std::string name, std::string_view unit, std::vector<std::string> labels) {
+  if (!unit.empty() && unit != "1") name += "_" + std::string(unit);
+  names_.push_back(std::move(name));
+  labels_.push_back(std::move(labels));
+}
+
+void Table::reserve(std::size_t rows) { data_.reserve(rows * names_.size()); }
+
+double* Table::append() {
+  data_.resize(data_.size() + names_.size(), 0.0);
+  ++rows_;
+  return data_.data() + (rows_ - 1) * names_.size();
+}
+
+bool Table::has(std::string_view name) const {
+  return std::ranges::find(names_, name) != names_.end();
+}
+
+std::size_t Table::index(std::string_view name) const {
+  const auto found = std::ranges::find(names_, name);
+  if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+  const std::string_view owner = name.substr(0, name.find('.'));
+  std::string near;
+  for (const std::string& n : names_)
+    if (n.starts_with(owner)) near += (near.empty() ? "'" : ", '") + n + "'";
+  throw ModelError(fmt::format("unknown column '{}'; {}", name,
+                               near.empty() ? "no column starts like it" : "there are " + near));
+}
+
+Eigen::VectorXd Table::operator[](std::string_view name) const {
+  const std::size_t column = index(name);
+  Eigen::VectorXd values(static_cast<Eigen::Index>(rows_));
+  for (std::size_t i = 0; i < rows_; ++i) values(static_cast<Eigen::Index>(i)) = value(i, column);
+  return values;
+}
+
+std::string Table::text(std::size_t row, std::size_t column) const {
+  const double x = value(row, column);
+  if (labels_[column].empty()) return fmt::format("{:.17g}", x);
+  return labels_[column].at(static_cast<std::size_t>(x));
+}
+
+void Table::write_csv(const std::filesystem::path& path) const {
+  LineWriter file(path);
+  file.line(fmt::format("{}", fmt::join(names_, ",")));
+  fmt::memory_buffer line;
+  for (std::size_t i = 0; i < rows_; ++i) {
+    line.clear();
+    for (std::size_t j = 0; j < names_.size(); ++j) {
+      if (j > 0) line.push_back(',');
+      if (labels_[j].empty()) {
+        fmt::format_to(std::back_inserter(line), "{:.17g}", value(i, j));
+      } else {
+        fmt::format_to(std::back_inserter(line), "{}", text(i, j));
+      }
+    }
+    file.line({line.data(), line.size()});
+  }
+  file.flush();
+}
+
+void make_output_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw OutputError(
+        fmt::format("cannot make the output folder '{}': {}", folder.string(), error.message()));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw OutputError(fmt::format("cannot write into the output folder '{}': {}", folder.string(),
+                                  std::strerror(errno)));
+}
+
+void write_text(const std::filesystem::path& path, std::string_view text) {
+  LineWriter file(path);
+  file.line(text);
+  file.flush();
+}
+
+void write_events(const std::vector<EventRecord>& events, const std::filesystem::path& path) {
+  LineWriter file(path);
+  file.line("t_s,kind,region,speed_m_per_s,penetration_m,element");
+  for (const EventRecord& e : events)
+    file.line(fmt::format("{:.17g},{},{},{:.17g},{:.17g},{}", e.t, e.kind, e.region, e.speed,
+                          e.value, e.element));
+  file.flush();
+}
+
+std::string to_json(const Summary& s) {
+  const char* stop[] = {"completed", "interrupted", "failed"};
+  const nlohmann::ordered_json json = {
+      {"stop", stop[static_cast<int>(s.stop)]},
+      {"reason", s.reason},
+      {"formulation", s.formulation},
+      {"relative_tolerance", s.relative_tolerance},
+      {"length_scale_m", s.length_scale},
+      {"time_scale_s", s.time_scale},
+      {"t_start_s", s.t_start},
+      {"t_end_s", s.t_end},
+      {"t_asked_s", s.t_asked},
+      {"steps", s.steps},
+      {"rejected", s.rejected},
+      {"evaluations", s.evaluations},
+      {"jacobians", s.jacobians},
+      {"refactorisations", s.refactorisations},
+      {"fresh_factorisations", s.fresh_factorisations},
+      {"factorisations", s.refactorisations + s.fresh_factorisations},
+      {"events", s.events},
+      {"last_step_s", s.last_step},
+      {"position_violation_m_or_rad", number(s.position_violation)},
+      {"velocity_violation_m_per_s_or_rad_per_s", number(s.velocity_violation)},
+      {"position_drift_m_or_rad", number(s.position_drift)},
+      {"velocity_drift_m_per_s_or_rad_per_s", number(s.velocity_drift)},
+      {"energy_balance_J", number(s.energy_balance)},
+      {"energy_exchanged_J", number(s.energy_exchanged)},
+      {"wall_time_s", s.wall_time},
+  };
+  return json.dump(2);
+}
+
+void Result::write(const std::filesystem::path& folder) const {
+  make_output_folder(folder);
+  samples.write_csv(folder / "motion.csv");
+  write_events(events, folder / "events.csv");
+  write_text(folder / "summary.json", to_json(summary));
+}
+
+}  // namespace yoke

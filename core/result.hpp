@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What a run leaves behind: time histories with names and units, events, and a summary that says
+// how far it got, why it stopped and what it cost.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yoke/core/force.hpp>
+#include <yoke/core/state.hpp>
+
+namespace yoke {
+
+/// Rows of numbers under named, unit-bearing columns.
+class Table {
+ public:
+  /// Adds a column called "name_unit" ("crank.x_m"); with labels the number is an index into them.
+  void add_column(std::string name, std::string_view unit, std::vector<std::string> labels = {});
+  /// Room for this many rows, so that appending them allocates nothing.
+  void reserve(std::size_t rows);
+  /// A new row of zeros to be filled, valid until the next call.
+  double* append();
+
+  std::size_t rows() const { return rows_; }
+  const std::vector<std::string>& names() const { return names_; }
+  bool has(std::string_view name) const;
+  /// Values of a column. Throws ModelError that lists the nearest names if there is none.
+  Eigen::VectorXd operator[](std::string_view name) const;
+  double value(std::size_t row, std::size_t column) const {
+    return data_[row * names_.size() + column];
+  }
+  std::size_t index(std::string_view name) const;
+  /// Text of a labelled cell, the number with 17 significant digits otherwise.
+  std::string text(std::size_t row, std::size_t column) const;
+
+  /// Comma-separated values with one header line. If the disk fills up, the file keeps whole rows
+  /// and OutputError names it.
+  void write_csv(const std::filesystem::path& path) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::vector<std::string>> labels_;
+  std::vector<double> data_;
+  std::size_t rows_ = 0;
+};
+
+/// Why a run ended.
+enum class Stop { completed, interrupted, failed };
+
+/// How a run went.
+struct Summary {
+  Stop stop = Stop::failed;
+  std::string reason = "not run";  // one sentence; for failures what to try
+  std::string formulation;         // which one ran
+  double relative_tolerance = 0.0;
+  double length_scale = 0.0;      // [m] used in the error weights
+  double time_scale = 0.0;        // [s]
+  double t_start = 0.0;           // [s]
+  double t_end = 0.0;             // [s] how far it got
+  double t_asked = 0.0;           // [s]
+  long steps = 0;                 // accepted
+  long rejected = 0;              // error test or Newton failures
+  long evaluations = 0;           // of the equations of motion
+  long jacobians = 0;             // of an implicit method
+  long refactorisations = 0;      // numeric only
+  long fresh_factorisations = 0;  // with new pivots
+  long events = 0;
+  double last_step = 0.0;           // [s]
+  double position_violation = 0.0;  // worst at samples and events, after projection [m or rad]
+  double velocity_violation = 0.0;  // [m/s or rad/s]
+  double position_drift = 0.0;      // the same before projection
+  double velocity_drift = 0.0;
+  double energy_balance = 0.0;    // [J] worst |T + V + stored + dissipated - work - initial|
+  double energy_exchanged = 0.0;  // [J] largest of energy moved between forms, for scale
+  double wall_time = 0.0;         // [s]
+
+  bool ok() const { return stop == Stop::completed; }
+};
+
+struct Result {
+  Table samples;
+  std::vector<EventRecord> events;
+  Summary summary;
+  State final;
+
+  /// Column of the samples: result["crank.angle_rad"].
+  Eigen::VectorXd operator[](std::string_view column) const { return samples[column]; }
+  /// Writes motion.csv, events.csv and summary.json into `folder` (made if missing). Throws
+  /// OutputError naming the path.
+  void write(const std::filesystem::path& folder) const;
+};
+
+/// The events as events.csv: t_s,kind,region,speed_m_per_s,penetration_m,element.
+void write_events(const std::vector<EventRecord>& events, const std::filesystem::path& path);
+/// The summary as JSON text.
+std::string to_json(const Summary& summary);
+/// Makes a folder for results, or throws OutputError naming it and the reason.
+void make_output_folder(const std::filesystem::path& folder);
+/// Writes a text file; throws OutputError.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace yoke

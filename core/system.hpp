@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Evaluates the elements of a model at one state, each into its own local blocks, in storage sized
+// once. Knows where the blocks belong; which matrix they go to is the business of the caller
+// (dynamics.hpp for the acceleration-level saddle matrix, an implicit integrator for its own).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <yoke/core/model.hpp>
+
+namespace yoke {
+
+/// Natural sizes of a model, from geometry and the start state. Independent of where the origin is
+/// and of how often anything has turned: error weights and tolerances are built from these.
+struct Scales {
+  double length = 1.0;  // [m]
+  double time = 1.0;    // [s]
+};
+
+/// One constraint and where its blocks live.
+struct ConstraintSlot {
+  const Constraint* element = nullptr;
+  int row = 0;  // first of its rows
+  int rows = 0;
+  int columns = 0;      // 3k
+  int dofs = 0;         // offset into System::dof: global coordinate of each local column
+  int block = 0;        // offset of its [rows x 3k] block in G (and H)
+  int quadrature = -1;  // work done by a driver
+};
+
+/// One force element and where its data live.
+struct ForceSlot {
+  const ForceElement* element = nullptr;
+  int columns = 0;      // 3k
+  int dofs = 0;         // offset into System::dof
+  int block = 0;        // offset of its [3k] block in Q
+  int states = 0;       // nz
+  int z = 0;            // offset into State::z
+  int parameters = 0;   // offset into State::parameters
+  int contacts = 0;     // offset into State::contacts
+  int events = 0;       // offset into the event functions
+  int dissipated = -1;  // quadrature indices
+  int supplied = -1;
+};
+
+/// Kinetic, potential, stored energy [J]; the quadratures of the State complete the ledger.
+struct EnergyTerms {
+  double kinetic = 0.0;
+  double potential = 0.0;
+  double stored = 0.0;
+};
+
+class System {
+ public:
+  explicit System(const Model& model);
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  const Model& model() const { return model_; }
+  int dofs() const { return dofs_; }      // 3 nb
+  int rows() const { return rows_; }      // constraint equations
+  int states() const { return states_; }  // element states z
+  int quadratures() const { return quadratures_; }
+  int events() const { return events_; }
+  std::span<const ConstraintSlot> constraints() const { return constraints_; }
+  std::span<const ForceSlot> forces() const { return forces_; }
+  /// Global coordinate (0 .. 3 nb - 1) of a local column; -1 for the ground.
+  std::span<const int> dof() const { return dof_; }
+  std::span<const double> mass() const { return mass_; }  // [3 nb] diagonal of M
+  /// "pivot: x" of constraint row i.
+  std::string equation_name(int row) const;
+  Measure measure(int row) const { return measure_[static_cast<std::size_t>(row)]; }
+  /// Names of the quadratures, "motor.work" or "slot.dissipated".
+  std::vector<std::string> quadrature_names() const;
+
+  /// Binds what elements read besides the motion. The pointers must outlive the evaluations.
+  void bind(const State& state);
+  /// Sets time, positions [dofs] and velocities [dofs].
+  void set_motion(double t, const double* q, const double* v);
+  /// Element states [states] to be used from now on.
+  void set_states(const double* z) { z_ = z; }
+  const Motion& motion() const { return motion_; }
+  ForceInput force_input(const ForceSlot& slot) const;
+
+  /// Phi [rows] and G (blocks).
+  void calc_position_level(double* phi);
+  /// Largest |phi| in units of the length scale (lengths) or 1 rad (angles); `worst` gets its row.
+  double norm(const double* residual, int* worst = nullptr) const;
+  /// G v + Phi_t [rows] at the motion set, from the blocks of G computed last.
+  void calc_velocity_residual(double* residual);
+  const double* G() const { return G_.data(); }
+  double* G() { return G_.data(); }
+  /// force[dofs + 1] -= G^T lambda, from the blocks of G; the last entry collects the ground.
+  void subtract_constraint_forces(const double* lambda, double* force) const;
+
+  /// Q [dofs + 1] (added), z_dot [states] and quadrature rates [quadratures] of the force elements;
+  /// null where not wanted.
+  void add_forces(double* Q, double* z_dot, double* quadrature_rates);
+  /// Power of the drivers, lambda^T Phi_t, into their quadrature rates.
+  void add_driver_power(const double* lambda, double* quadrature_rates);
+  /// All event functions [events].
+  void calc_events(double* g) const;
+  EnergyTerms calc_energy() const;
+
+  Scales scales() const { return scales_; }
+  void set_scales(const Scales& scales) { scales_ = scales; }
+  /// Length scale from the layout of the bodies (invariant to shifts and turns of the frame).
+  double natural_length() const;
+
+ private:
+  void lay_out_bodies();
+  void lay_out_constraints();
+  void lay_out_forces();
+  int add_dofs(const std::vector<BodyId>& bodies);
+
+  const Model& model_;
+  int dofs_ = 0, rows_ = 0, states_ = 0, quadratures_ = 0, events_ = 0;
+  std::vector<ConstraintSlot> constraints_;
+  std::vector<ForceSlot> forces_;
+  std::vector<int> dof_;
+  std::vector<double> mass_;
+  std::vector<Measure> measure_;
+  std::vector<BodyMotion> bodies_;
+  Motion motion_;
+  std::vector<double> G_;
+  std::vector<double> phi_t_;
+  std::vector<double> Q_;
+  const double* z_ = nullptr;
+  const double* parameters_ = nullptr;
+  const ContactMemory* contacts_ = nullptr;
+  Scales scales_;
+};
+
+}  // namespace yoke

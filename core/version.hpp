@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#pragma once
+
+namespace yoke {
+
+/// The version of the project; the build reads it from this line.
+inline constexpr const char* version = "0.1.0";
+
+}  // namespace yoke

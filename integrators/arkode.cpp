@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Explicit Runge-Kutta on the accelerations of the saddle system, y = (q, v, z, energies), by
+// ARKODE. Two ways to stay on the constraints: projection of positions and velocities after every
+// step (in the metric of the masses), or Baumgarte's stabilisation. Order 5(4) of Dormand and
+// Prince: a higher order has better steps but a worse dense output, and events are only as good as
+// that.
+#include <arkode/arkode_erkstep.h>
+#include <nvector/nvector_serial.h>
+
+#include <yoke/integrators/event_guard.hpp>
+#include <yoke/integrators/formulation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+namespace {
+
+constexpr int max_error_test_failures = 30;
+
+class Arkode final : public Formulation {
+ public:
+  Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects);
+  ~Arkode() override;
+
+  void start(const State& state) override;
+  Step step(double t_stop) override;
+  double time() const override { return t_; }
+  double last_step() const override;
+  void interpolate(double t, State& state) override;
+  const std::vector<int>& fired() const override { return guard_.fired(); }
+  StepCounters counters() const override;
+  std::string failure() const override { return failure_; }
+
+ private:
+  static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
+  static int project(sunrealtype t, N_Vector y, void* self);
+  static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
+  static void on_error(int code, const char* module, const char* function, char* message,
+                       void* self);
+  void create(const State& state);
+  void pack(const State& state);
+  void set_weights();
+  Step fail();
+
+  double* y() { return NV_DATA_S(y_); }
+  const double* v_of(const double* y) const { return y + n_; }
+  const double* z_of(const double* y) const { return y + 2 * n_; }
+
+  Dynamics& dynamics_;
+  Tolerances tolerances_;
+  bool projects_;
+  Baumgarte stabilisation_;
+  EventGuard guard_;
+  int n_, nz_, quadratures_, size_;
+  SUNContext context_ = nullptr;
+  void* memory_ = nullptr;
+  N_Vector y_ = nullptr;
+  N_Vector weights_ = nullptr;
+  double t_ = 0.0;
+  double t_stop_ = 0.0;
+  std::vector<int> found_;
+  StepCounters before_;  // of integrations before the last restart
+  std::string failure_;
+};
+
+Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
+    : dynamics_(dynamics),
+      tolerances_(tolerances),
+      projects_(projects),
+      stabilisation_{.alpha = tolerances.baumgarte_rate, .beta = tolerances.baumgarte_rate},
+      guard_(dynamics),
+      n_(dynamics.system().dofs()),
+      nz_(dynamics.system().states()),
+      quadratures_(dynamics.system().quadratures()),
+      size_(2 * n_ + nz_ + quadratures_) {
+  SUNContext_Create(nullptr, &context_);
+  y_ = N_VNew_Serial(size_, context_);
+  weights_ = N_VNew_Serial(size_, context_);
+  found_.assign(static_cast<std::size_t>(guard_.count()), 0);
+  failure_.reserve(512);
+  set_weights();
+}
+
+Arkode::~Arkode() {
+  if (memory_ != nullptr) ERKStepFree(&memory_);
+  N_VDestroy(y_);
+  N_VDestroy(weights_);
+  SUNContext_Free(&context_);
+}
+
+void Arkode::set_weights() {
+  double* w = NV_DATA_S(weights_);
+  std::copy_n(tolerances_.q.data(), n_, w);
+  std::copy_n(tolerances_.v.data(), n_, w + n_);
+  std::copy_n(tolerances_.z.data(), nz_, w + 2 * n_);
+  std::fill_n(w + 2 * n_ + nz_, quadratures_, tolerances_.energy);
+}
+
+void Arkode::pack(const State& state) {
+  std::copy_n(state.q.data(), n_, y());
+  std::copy_n(state.v.data(), n_, y() + n_);
+  std::copy_n(state.z.data(), nz_, y() + 2 * n_);
+  std::copy_n(state.energy.data(), quadratures_, y() + 2 * n_ + nz_);
+}
+
+void Arkode::create(const State& state) {
+  memory_ = ERKStepCreate(&Arkode::rates, state.t, y_, context_);
+  ERKStepSetErrHandlerFn(memory_, &Arkode::on_error, this);
+  ERKStepSetUserData(memory_, this);
+  ERKStepSetTableNum(memory_, ARKODE_DORMAND_PRINCE_7_4_5);
+  ERKStepSVtolerances(memory_, 0.0, weights_);
+  ERKStepSetMaxErrTestFails(memory_, max_error_test_failures);
+  if (projects_) ERKStepSetPostprocessStepFn(memory_, &Arkode::project);
+  if (guard_.count() > 0) {
+    ERKStepRootInit(memory_, guard_.count(), &Arkode::events);
+    std::vector<int> upwards(found_.size(), 1);
+    ERKStepSetRootDirection(memory_, upwards.data());
+    ERKStepSetNoInactiveRootWarn(memory_);
+  }
+}
+
+void Arkode::start(const State& state) {
+  pack(state);
+  t_ = state.t;
+  t_stop_ = t_;  // not set yet
+  guard_.start(t_, y(), v_of(y()), z_of(y()));
+  if (memory_ == nullptr) {
+    create(state);
+  } else {
+    before_ = counters();
+    ERKStepReInit(memory_, &Arkode::rates, state.t, y_);
+  }
+}
+
+Step Arkode::step(double t_stop) {
+  if (t_stop != t_stop_) {
+    ERKStepSetStopTime(memory_, t_stop);
+    t_stop_ = t_stop;
+  }
+  const int flag = ERKStepEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
+  if (flag < 0) return fail();
+  if (flag == ARK_ROOT_RETURN) {
+    ERKStepGetRootInfo(memory_, found_.data());
+    guard_.collect(t_, y(), v_of(y()), z_of(y()), found_);
+    return Step::event;
+  }
+  guard_.accept(t_, y(), v_of(y()), z_of(y()));
+  return Step::advanced;
+}
+
+Step Arkode::fail() {
+  ERKStepGetCurrentTime(memory_, &t_);
+  return Step::failed;
+}
+
+double Arkode::last_step() const {
+  double h = 0.0;
+  if (memory_ != nullptr) ERKStepGetLastStep(memory_, &h);
+  return h;
+}
+
+void Arkode::interpolate(double t, State& state) {
+  ERKStepGetDky(memory_, t, 0, y_);
+  state.t = t;
+  std::copy_n(y(), n_, state.q.data());
+  std::copy_n(y() + n_, n_, state.v.data());
+  std::copy_n(y() + 2 * n_, nz_, state.z.data());
+  std::copy_n(y() + 2 * n_ + nz_, quadratures_, state.energy.data());
+}
+
+StepCounters Arkode::counters() const {
+  StepCounters total = before_;
+  if (memory_ == nullptr) return total;
+  long steps = 0, failures = 0;
+  ERKStepGetNumSteps(memory_, &steps);
+  ERKStepGetNumErrTestFails(memory_, &failures);
+  total.steps += steps;
+  total.rejected += failures;
+  return total;
+}
+
+int Arkode::rates(sunrealtype t, N_Vector y_vector, N_Vector y_dot_vector, void* self) {
+  auto& me = *static_cast<Arkode*>(self);
+  const double* y = NV_DATA_S(y_vector);
+  double* y_dot = NV_DATA_S(y_dot_vector);
+  const int n = me.n_;
+  std::copy_n(y + n, n, y_dot);
+  const bool ok = me.dynamics_.calc_accelerations(t, y, y + n, y + 2 * n, y_dot + n, nullptr,
+                                                  y_dot + 2 * n, y_dot + 2 * n + me.nz_,
+                                                  me.projects_ ? nullptr : &me.stabilisation_);
+  return ok ? 0 : 1;  // recoverable: ARKODE tries a shorter step
+}
+
+int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
+  auto& me = *static_cast<Arkode*>(self);
+  double* y = NV_DATA_S(y_vector);
+  if (me.dynamics_.project_positions(t, y) && me.dynamics_.project_velocities(t, y, y + me.n_))
+    return 0;
+  const System& system = me.dynamics_.system();
+  me.failure_ = fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
+                            system.equation_name(me.dynamics_.worst_row()));
+  return -1;
+}
+
+int Arkode::events(sunrealtype t, N_Vector y_vector, sunrealtype* g, void* self) {
+  auto& me = *static_cast<Arkode*>(self);
+  const double* y = NV_DATA_S(y_vector);
+  return me.guard_.evaluate(t, y, me.v_of(y), me.z_of(y), g) ? 0 : -1;
+}
+
+void Arkode::on_error(int code, const char*, const char*, char* message, void* self) {
+  auto& me = *static_cast<Arkode*>(self);
+  if (code < 0 && me.failure_.empty()) me.failure_ = message;
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_arkode_projection(Dynamics& dynamics,
+                                                    const Tolerances& tolerances) {
+  return std::make_unique<Arkode>(dynamics, tolerances, true);
+}
+
+std::unique_ptr<Formulation> make_arkode_baumgarte(Dynamics& dynamics,
+                                                   const Tolerances& tolerances) {
+  return std::make_unique<Arkode>(dynamics, tolerances, false);
+}
+
+}  // namespace yoke

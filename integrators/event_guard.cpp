@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/event_guard.hpp>
+
+#include <cmath>
+
+namespace yoke {
+
+EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
+  const auto count = static_cast<std::size_t>(dynamics.system().events());
+  last_.assign(count, -1.0);
+  armed_.assign(count, 0);
+  fired_.reserve(count);
+}
+
+void EventGuard::calc(double t, const double* q, const double* v, const double* z, double* g) {
+  System& system = dynamics_.system();
+  system.set_motion(t, q, v);
+  system.set_states(z);
+  system.calc_events(g);
+}
+
+void EventGuard::start(double t, const double* q, const double* v, const double* z) {
+  calc(t, q, v, z, last_.data());
+  for (std::size_t i = 0; i < last_.size(); ++i) armed_[i] = last_[i] < 0.0 ? 1 : 0;
+}
+
+bool EventGuard::evaluate(double t, const double* q, const double* v, const double* z, double* g) {
+  calc(t, q, v, z, g);
+  for (std::size_t i = 0; i < last_.size(); ++i) {
+    if (!std::isfinite(g[i])) return false;
+    if (armed_[i] == 0) g[i] = -1.0;
+  }
+  return true;
+}
+
+void EventGuard::accept(double t, const double* q, const double* v, const double* z) {
+  if (last_.empty()) return;
+  calc(t, q, v, z, last_.data());
+  for (std::size_t i = 0; i < last_.size(); ++i)
+    if (last_[i] < 0.0) armed_[i] = 1;
+}
+
+void EventGuard::collect(double t, const double* q, const double* v, const double* z,
+                         const std::vector<int>& found) {
+  std::vector<double>& now = last_;
+  calc(t, q, v, z, now.data());
+  fired_.clear();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (armed_[i] != 0 && (found[i] > 0 || now[i] >= 0.0)) fired_.push_back(static_cast<int>(i));
+}
+
+}  // namespace yoke

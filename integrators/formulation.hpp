@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The seam for formulations: advance a state in time by one internal step, with dense output and
+// located events. One file per formulation; registry.cpp lists them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yoke/core/dynamics.hpp>
+
+namespace yoke {
+
+/// Absolute error weights, free of where the origin is: tolerance times a size of the model.
+struct Tolerances {
+  double relative = 1e-8;
+  Eigen::VectorXd q;            // [3 nb]
+  Eigen::VectorXd v;            // [3 nb]
+  Eigen::VectorXd z;            // [nz]
+  double energy = 1e-8;         // [J] quadratures
+  double baumgarte_rate = 0.0;  // [1/s]
+};
+
+enum class Step { advanced, event, failed };
+
+/// What a formulation has cost so far.
+struct StepCounters {
+  long steps = 0;
+  long rejected = 0;
+  long jacobians = 0;
+  FactorCounters factors;  // of matrices of its own, besides the saddle matrix
+};
+
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+  /// Starts or restarts at a consistent state; after this nothing of the past is used.
+  virtual void start(const State& state) = 0;
+  /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired().
+  virtual Step step(double t_stop) = 0;
+  virtual double time() const = 0;
+  virtual double last_step() const = 0;
+  /// t, q, v, z and energy at a time inside the last step, not projected.
+  virtual void interpolate(double t, State& state) = 0;
+  /// Event slots that crossed zero upwards at time().
+  virtual const std::vector<int>& fired() const = 0;
+  virtual StepCounters counters() const = 0;
+  /// Why the last step failed.
+  virtual std::string failure() const = 0;
+};
+
+struct FormulationEntry {
+  std::string_view name;
+  std::string_view description;
+  std::unique_ptr<Formulation> (*make)(Dynamics&, const Tolerances&);
+};
+
+/// All formulations, the default first.
+const std::vector<FormulationEntry>& formulation_registry();
+
+}  // namespace yoke

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// BDF of variable order and step (SUNDIALS IDAS) on the stabilised index-2 equations of
+// ggl_matrix.hpp. The matrix and the linear solver are our own: IDA would set a sparse matrix's
+// index arrays to zero before every Jacobian, and could not scale it. Energies are quadratures.
+#include <idas/idas.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+
+#include <yoke/integrators/event_guard.hpp>
+#include <yoke/integrators/formulation.hpp>
+#include <yoke/integrators/ggl_matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+namespace {
+
+constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Newton's convergence
+
+class IdaGgl final : public Formulation {
+ public:
+  IdaGgl(Dynamics& dynamics, const Tolerances& tolerances);
+  ~IdaGgl() override;
+
+  void start(const State& state) override;
+  Step step(double t_stop) override;
+  double time() const override { return t_; }
+  double last_step() const override;
+  void interpolate(double t, State& state) override;
+  const std::vector<int>& fired() const override { return guard_.fired(); }
+  StepCounters counters() const override;
+  std::string failure() const override { return failure_; }
+
+ private:
+  static int residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self);
+  static int jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Vector r,
+                      SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector);
+  static int quadrature(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector rates, void* self);
+  static int events(sunrealtype t, N_Vector y, N_Vector y_dot, sunrealtype* g, void* self);
+  static int setup(SUNLinearSolver solver, SUNMatrix matrix);
+  static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
+                   sunrealtype tolerance);
+  static void on_error(int code, const char* module, const char* function, char* message,
+                       void* self);
+  void create_matrix_and_solver();
+  void create(const State& state);
+  void set_weights();
+  void pack(const State& state);
+
+  double* y() { return NV_DATA_S(y_); }
+  double* y_dot() { return NV_DATA_S(y_dot_); }
+
+  Dynamics& dynamics_;
+  Tolerances tolerances_;
+  GglMatrix equations_;
+  EventGuard guard_;
+  int n_, nz_, rows_, quadratures_;
+  SUNContext context_ = nullptr;
+  void* memory_ = nullptr;
+  SUNMatrix matrix_ = nullptr;
+  SUNLinearSolver solver_ = nullptr;
+  N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr, id_ = nullptr;
+  N_Vector energy_ = nullptr, energy_weights_ = nullptr;
+  std::vector<double> a_, lambda_;
+  double t_ = 0.0;
+  double t_stop_ = 0.0;
+  std::vector<int> found_;
+  StepCounters before_;
+  std::string failure_;
+};
+
+IdaGgl::IdaGgl(Dynamics& dynamics, const Tolerances& tolerances)
+    : dynamics_(dynamics),
+      tolerances_(tolerances),
+      equations_(dynamics.system()),
+      guard_(dynamics),
+      n_(dynamics.system().dofs()),
+      nz_(dynamics.system().states()),
+      rows_(dynamics.system().rows()),
+      quadratures_(dynamics.system().quadratures()) {
+  SUNContext_Create(nullptr, &context_);
+  y_ = N_VNew_Serial(equations_.size(), context_);
+  y_dot_ = N_VClone(y_);
+  weights_ = N_VClone(y_);
+  id_ = N_VClone(y_);
+  energy_ = N_VNew_Serial(std::max(quadratures_, 1), context_);
+  energy_weights_ = N_VClone(energy_);
+  N_VConst(0.0, energy_);
+  N_VConst(tolerances.energy, energy_weights_);
+  found_.assign(static_cast<std::size_t>(guard_.count()), 0);
+  a_.assign(static_cast<std::size_t>(n_), 0.0);
+  lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
+  failure_.reserve(512);
+  set_weights();
+  create_matrix_and_solver();
+}
+
+IdaGgl::~IdaGgl() {
+  if (memory_ != nullptr) IDAFree(&memory_);
+  SUNLinSolFreeEmpty(solver_);
+  SUNMatFreeEmpty(matrix_);
+  for (N_Vector vector : {y_, y_dot_, weights_, id_, energy_, energy_weights_}) N_VDestroy(vector);
+  SUNContext_Free(&context_);
+}
+
+// SUNDIALS sees a matrix without data and a direct solver that works on equations_.
+void IdaGgl::create_matrix_and_solver() {
+  matrix_ = SUNMatNewEmpty(context_);
+  matrix_->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
+  matrix_->ops->zero = [](SUNMatrix) { return 0; };
+  matrix_->content = this;
+  solver_ = SUNLinSolNewEmpty(context_);
+  solver_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+  solver_->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
+  solver_->ops->setup = &IdaGgl::setup;
+  solver_->ops->solve = &IdaGgl::solve;
+  solver_->content = this;
+}
+
+void IdaGgl::set_weights() {
+  // The root mean square of IDA runs over all unknowns; what is not weighted must not dilute it.
+  const double weighted = std::max(1, 2 * n_ + nz_);
+  const double share = std::sqrt(weighted / std::max(1, equations_.size()));
+  double* w = NV_DATA_S(weights_);
+  for (int i = 0; i < n_; ++i) {
+    w[i] = share * tolerances_.q[i];
+    w[equations_.v() + i] = share * tolerances_.v[i];
+  }
+  for (int i = 0; i < nz_; ++i) w[equations_.z() + i] = share * tolerances_.z[i];
+  for (int i = equations_.lambda(); i < equations_.size(); ++i) w[i] = unweighted;
+  for (int i = 0; i < equations_.size(); ++i)
+    NV_DATA_S(id_)[i] = i < equations_.lambda() ? 1.0 : 0.0;
+}
+
+void IdaGgl::pack(const State& state) {
+  N_VConst(0.0, y_);
+  N_VConst(0.0, y_dot_);
+  std::copy_n(state.q.data(), n_, y());
+  std::copy_n(state.v.data(), n_, y() + equations_.v());
+  std::copy_n(state.z.data(), nz_, y() + equations_.z());
+  std::copy_n(state.lambda.data(), rows_, y() + equations_.lambda());
+  std::copy_n(state.v.data(), n_, y_dot());
+  std::copy_n(state.energy.data(), quadratures_, NV_DATA_S(energy_));
+  // The accelerations of the state belong to the contacts before an event; ask again.
+  dynamics_.calc_accelerations(state.t, y(), y() + n_, y() + 2 * n_, a_.data(), lambda_.data(),
+                               nz_ > 0 ? y_dot() + 2 * n_ : nullptr, nullptr);
+  std::copy(a_.begin(), a_.end(), y_dot() + equations_.v());
+  std::copy(lambda_.begin(), lambda_.end(), y() + equations_.lambda());
+}
+
+void IdaGgl::create(const State& state) {
+  memory_ = IDACreate(context_);
+  IDASetErrHandlerFn(memory_, &IdaGgl::on_error, this);
+  IDAInit(memory_, &IdaGgl::residual, state.t, y_, y_dot_);
+  IDASetUserData(memory_, this);
+  IDASVtolerances(memory_, 0.0, weights_);
+  IDASetId(memory_, id_);
+  IDASetSuppressAlg(memory_, SUNTRUE);
+  IDASetLinearSolver(memory_, solver_, matrix_);
+  IDASetJacFn(memory_, &IdaGgl::jacobian);
+  IDASetMaxErrTestFails(memory_, 30);
+  IDASetMaxConvFails(memory_, 30);
+  if (quadratures_ > 0) {
+    IDAQuadInit(memory_, &IdaGgl::quadrature, energy_);
+    IDAQuadSVtolerances(memory_, 0.0, energy_weights_);
+    IDASetQuadErrCon(memory_, SUNTRUE);
+  }
+  if (guard_.count() > 0) {
+    IDARootInit(memory_, guard_.count(), &IdaGgl::events);
+    std::vector<int> upwards(found_.size(), 1);
+    IDASetRootDirection(memory_, upwards.data());
+    IDASetNoInactiveRootWarn(memory_);
+  }
+}
+
+void IdaGgl::start(const State& state) {
+  pack(state);
+  t_ = state.t;
+  t_stop_ = t_;
+  guard_.start(t_, y(), y() + n_, y() + 2 * n_);
+  if (memory_ == nullptr) {
+    create(state);
+    return;
+  }
+  before_ = counters();
+  before_.factors = {};  // these are never reset
+  IDAReInit(memory_, state.t, y_, y_dot_);
+  if (quadratures_ > 0) IDAQuadReInit(memory_, energy_);
+}
+
+Step IdaGgl::step(double t_stop) {
+  if (t_stop != t_stop_) {
+    IDASetStopTime(memory_, t_stop);
+    t_stop_ = t_stop;
+  }
+  const int flag = IDASolve(memory_, t_stop, &t_, y_, y_dot_, IDA_ONE_STEP);
+  if (flag < 0) {
+    IDAGetCurrentTime(memory_, &t_);
+    return Step::failed;
+  }
+  if (flag == IDA_ROOT_RETURN) {
+    IDAGetRootInfo(memory_, found_.data());
+    guard_.collect(t_, y(), y() + n_, y() + 2 * n_, found_);
+    return Step::event;
+  }
+  guard_.accept(t_, y(), y() + n_, y() + 2 * n_);
+  return Step::advanced;
+}
+
+double IdaGgl::last_step() const {
+  double h = 0.0;
+  if (memory_ != nullptr) IDAGetLastStep(memory_, &h);
+  return h;
+}
+
+void IdaGgl::interpolate(double t, State& state) {
+  IDAGetDky(memory_, t, 0, y_);
+  state.t = t;
+  std::copy_n(y(), n_, state.q.data());
+  std::copy_n(y() + equations_.v(), n_, state.v.data());
+  std::copy_n(y() + equations_.z(), nz_, state.z.data());
+  if (quadratures_ == 0) return;
+  IDAGetQuadDky(memory_, t, 0, energy_);
+  std::copy_n(NV_DATA_S(energy_), quadratures_, state.energy.data());
+}
+
+StepCounters IdaGgl::counters() const {
+  StepCounters total = before_;
+  total.factors = equations_.counters();
+  if (memory_ == nullptr) return total;
+  long steps = 0, errors = 0, newton = 0, jacobians = 0;
+  IDAGetNumSteps(memory_, &steps);
+  IDAGetNumErrTestFails(memory_, &errors);
+  IDAGetNumStepSolveFails(memory_, &newton);
+  IDAGetNumJacEvals(memory_, &jacobians);
+  total.steps += steps;
+  total.rejected += errors + newton;
+  total.jacobians += jacobians;
+  return total;
+}
+
+int IdaGgl::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self) {
+  auto& me = *static_cast<IdaGgl*>(self);
+  const bool ok = me.equations_.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r));
+  return ok ? 0 : 1;  // recoverable: a shorter step
+}
+
+int IdaGgl::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector, SUNMatrix,
+                     void* self, N_Vector, N_Vector, N_Vector) {
+  static_cast<IdaGgl*>(self)->equations_.calc_jacobian(t, c, NV_DATA_S(y));
+  return 0;
+}
+
+int IdaGgl::setup(SUNLinearSolver solver, SUNMatrix) {
+  return static_cast<IdaGgl*>(solver->content)->equations_.factorise() ? 0 : 1;
+}
+
+int IdaGgl::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
+  auto& me = *static_cast<IdaGgl*>(solver->content);
+  std::copy_n(NV_DATA_S(b), me.equations_.size(), NV_DATA_S(x));
+  me.equations_.solve(NV_DATA_S(x));
+  return 0;
+}
+
+// Multipliers from the acceleration-level solve: IDA's own are a hundred times worse.
+int IdaGgl::quadrature(sunrealtype t, N_Vector y_vector, N_Vector, N_Vector rates, void* self) {
+  auto& me = *static_cast<IdaGgl*>(self);
+  const double* y = NV_DATA_S(y_vector);
+  const bool ok = me.dynamics_.calc_accelerations(t, y, y + me.n_, y + 2 * me.n_, me.a_.data(),
+                                                  me.lambda_.data(), nullptr, NV_DATA_S(rates));
+  return ok ? 0 : 1;
+}
+
+int IdaGgl::events(sunrealtype t, N_Vector y_vector, N_Vector, sunrealtype* g, void* self) {
+  auto& me = *static_cast<IdaGgl*>(self);
+  const double* y = NV_DATA_S(y_vector);
+  return me.guard_.evaluate(t, y, y + me.n_, y + 2 * me.n_, g) ? 0 : -1;
+}
+
+void IdaGgl::on_error(int code, const char*, const char*, char* message, void* self) {
+  auto& me = *static_cast<IdaGgl*>(self);
+  if (code < 0 && me.failure_.empty()) me.failure_ = message;
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_ida_ggl(Dynamics& dynamics, const Tolerances& tolerances) {
+  return std::make_unique<IdaGgl>(dynamics, tolerances);
+}
+
+}  // namespace yoke

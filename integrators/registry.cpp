@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/formulation.hpp>
+#include <yoke/integrators/simulate.hpp>
+
+namespace yoke {
+
+// One function per formulation, each defined in the file of its name.
+std::unique_ptr<Formulation> make_arkode_projection(Dynamics&, const Tolerances&);
+std::unique_ptr<Formulation> make_arkode_baumgarte(Dynamics&, const Tolerances&);
+std::unique_ptr<Formulation> make_ida_ggl(Dynamics&, const Tolerances&);
+
+const std::vector<FormulationEntry>& formulation_registry() {
+  static const std::vector<FormulationEntry> entries = {
+      {"arkode-projection",
+       "explicit Runge-Kutta 5(4) on accelerations; positions and velocities projected every step",
+       make_arkode_projection},
+      {"ida-ggl", "BDF on the stabilised index-2 equations of Gear, Gupta and Leimkuhler",
+       make_ida_ggl},
+      {"arkode-baumgarte",
+       "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little",
+       make_arkode_baumgarte},
+  };
+  return entries;
+}
+
+std::vector<FormulationNote> formulations() {
+  std::vector<FormulationNote> notes;
+  for (const FormulationEntry& e : formulation_registry()) notes.push_back({e.name, e.description});
+  return notes;
+}
+
+}  // namespace yoke

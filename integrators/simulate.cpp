@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/simulate.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <yoke/core/recorder.hpp>
+#include <yoke/integrators/formulation.hpp>
+#include <yoke/integrators/scales.hpp>
+
+namespace yoke {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A contact that opens and closes this often within one part in a million of the run makes no
+// progress any more.
+constexpr long max_events_in_window = 2000;
+constexpr double event_window = 1e-6;
+
+const FormulationEntry& find_formulation(const std::string& name) {
+  std::string known;
+  for (const FormulationEntry& entry : formulation_registry()) {
+    if (entry.name == name) return entry;
+    known += fmt::format("{}'{}'", known.empty() ? "" : ", ", entry.name);
+  }
+  throw ModelError(fmt::format("unknown formulation '{}': there are {}", name, known));
+}
+
+void check_options(const SimulationOptions& options, double t_start) {
+  require_finite("simulation", "until", options.until);
+  if (!(options.until > t_start))
+    throw ModelError(fmt::format("simulation: until = {:g} s must be later than the start, {:g} s",
+                                 options.until, t_start));
+  require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
+  if (options.samples != 0 && options.samples < 2)
+    throw ModelError(
+        fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
+  for (const auto& [name, value] : {std::pair{"length_scale", options.length_scale},
+                                    {"time_scale", options.time_scale},
+                                    {"baumgarte_rate", options.baumgarte_rate}})
+    require_finite("simulation", name, value);
+}
+
+/// One run: a state that moves, what is recorded of it, and the formulation that moves it.
+class Run {
+ public:
+  Run(const Model& model, const State& start, const SimulationOptions& options);
+  Result go();
+
+ private:
+  bool initialise();
+  bool advance();
+  void record_samples_up_to(double t);
+  void record_at(double t);
+  void record_event_state();
+  bool handle_events();
+  EventContext context_of(const ForceSlot& slot);
+  bool too_many_events();
+  void finish();
+  void stop(Stop why, std::string reason);
+  double sample_time(long i) const;
+
+  const SimulationOptions& options_;
+  Clock::time_point began_ = Clock::now();
+  Dynamics dynamics_;
+  State state_;   // at the last restart; owns the discrete memory
+  State sample_;  // scratch for dense output
+  Result result_;
+  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Formulation> formulation_;
+  double t_start_;
+  long next_sample_ = 0;
+  double window_start_ = 0.0;
+  long window_events_ = 0;
+  std::vector<double> local_acceleration_;
+  bool stopped_ = false;
+};
+
+Run::Run(const Model& model, const State& start, const SimulationOptions& options)
+    : options_(options), dynamics_(model), state_(start), t_start_(start.t) {
+  check_options(options, start.t);
+  const FormulationEntry& entry = find_formulation(options.formulation);
+  Summary& summary = result_.summary;
+  summary.formulation = entry.name;
+  summary.relative_tolerance = options.relative_tolerance;
+  summary.t_start = summary.t_end = start.t;
+  summary.t_asked = options.until;
+
+  if (options.length_scale > 0.0)
+    dynamics_.system().set_scales({.length = options.length_scale, .time = 1.0});
+  if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
+  const Scales scales = choose_scales(dynamics_.system(), state_, options);
+  dynamics_.system().set_scales(scales);
+  summary.length_scale = scales.length;
+  summary.time_scale = scales.time;
+  formulation_ = entry.make(dynamics_, choose_tolerances(dynamics_.system(), options));
+  recorder_ = std::make_unique<Recorder>(dynamics_, result_,
+                                         static_cast<std::size_t>(std::max(options.samples, 0)));
+  result_.events.reserve(1024);
+}
+
+EventContext Run::context_of(const ForceSlot& slot) {
+  System& system = dynamics_.system();
+  local_acceleration_.assign(static_cast<std::size_t>(slot.columns), 0.0);
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system.dof()[static_cast<std::size_t>(slot.dofs + j)]; dof >= 0)
+      local_acceleration_[static_cast<std::size_t>(j)] = state_.a[dof];
+  return {.input = system.force_input(slot),
+          .contact = state_.contacts.data() + slot.contacts,
+          .effective_mass = [this,
+                             &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
+          .acceleration = local_acceleration_.data(),
+          .record =
+              [this, &slot](EventRecord record) {
+                record.t = state_.t;
+                record.element = slot.element->name();
+                result_.events.push_back(std::move(record));
+              },
+          .fail =
+              [this, &slot](std::string reason) {
+                stop(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
+              }};
+}
+
+bool Run::initialise() {
+  for (const ForceSlot& slot : dynamics_.system().forces()) {
+    if (slot.element->contacts() == 0) continue;
+    EventContext context = context_of(slot);
+    slot.element->initialise_contacts(context);
+  }
+  if (stopped_) return false;
+  dynamics_.reset();  // a fresh factorisation: equal inputs, equal bits
+  if (!dynamics_.project(state_)) {
+    stop(Stop::failed, "accelerations at the start are not finite");
+    return false;
+  }
+  sample_ = state_;
+  recorder_->start(state_);
+  formulation_->start(state_);
+  record_event_state();
+  window_start_ = state_.t;
+  return true;
+}
+
+double Run::sample_time(long i) const {
+  const long last = options_.samples - 1;
+  if (i == last) return options_.until;
+  return t_start_ +
+         (options_.until - t_start_) * (static_cast<double>(i) / static_cast<double>(last));
+}
+
+// A sample that falls on a restart is taken from the projected state itself.
+void Run::record_event_state() {
+  if (next_sample_ < options_.samples && sample_time(next_sample_) == state_.t) {
+    recorder_->record(state_);
+    ++next_sample_;
+  } else {
+    recorder_->check(state_);
+  }
+}
+
+void Run::record_at(double t) {
+  formulation_->interpolate(t, sample_);
+  Summary& summary = result_.summary;
+  summary.position_drift = std::max(summary.position_drift, dynamics_.position_violation(sample_));
+  summary.velocity_drift = std::max(summary.velocity_drift, dynamics_.velocity_violation(sample_));
+  if (!dynamics_.project(sample_)) {
+    stop(Stop::failed, fmt::format("the state at t = {:.9g} s cannot be projected on the "
+                                   "constraints; worst equation '{}'",
+                                   t, dynamics_.system().equation_name(dynamics_.worst_row())));
+    return;
+  }
+  recorder_->record(sample_);
+}
+
+void Run::record_samples_up_to(double t) {
+  if (next_sample_ >= options_.samples || sample_time(next_sample_) > t) return;
+  sample_.contacts = state_.contacts;
+  while (!stopped_ && next_sample_ < options_.samples && sample_time(next_sample_) <= t) {
+    record_at(sample_time(next_sample_));
+    ++next_sample_;
+  }
+  dynamics_.system().bind(state_);
+}
+
+bool Run::too_many_events() {
+  if (state_.t - window_start_ > event_window * (options_.until - t_start_)) {
+    window_start_ = state_.t;
+    window_events_ = 0;
+  }
+  return ++window_events_ > max_events_in_window;
+}
+
+bool Run::handle_events() {
+  formulation_->interpolate(formulation_->time(), state_);
+  Summary& summary = result_.summary;
+  summary.position_drift = std::max(summary.position_drift, dynamics_.position_violation(state_));
+  if (!dynamics_.project(state_)) {
+    stop(Stop::failed, fmt::format("the state at the event at t = {:.9g} s cannot be projected on "
+                                   "the constraints",
+                                   state_.t));
+    return false;
+  }
+  for (const int fired : formulation_->fired()) {
+    for (const ForceSlot& slot : dynamics_.system().forces()) {
+      if (fired < slot.events || fired >= slot.events + slot.element->events()) continue;
+      ++summary.events;
+      EventContext context = context_of(slot);
+      slot.element->handle_event(fired - slot.events, context);
+    }
+  }
+  if (too_many_events())
+    stop(Stop::failed,
+         fmt::format("more than {} events within {:g} s before t = {:.9g} s, the last "
+                     "of '{}': a contact that chatters; give it more damping or a "
+                     "softer law",
+                     max_events_in_window, event_window * (options_.until - t_start_), state_.t,
+                     result_.events.empty() ? "?" : result_.events.back().element));
+  if (!dynamics_.calc_accelerations(state_))
+    stop(Stop::failed,
+         fmt::format("accelerations after the event at t = {:.9g} s are not finite", state_.t));
+  if (stopped_) return false;
+  record_event_state();
+  formulation_->start(state_);
+  return true;
+}
+
+bool Run::advance() {
+  const Step step = formulation_->step(options_.until);
+  const double t = formulation_->time();
+  if (step == Step::failed) {
+    stop(Stop::failed,
+         fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s: {}. Try a "
+                     "looser tolerance or the other formulation; look at the contact or force that "
+                     "acts at this time.",
+                     t, formulation_->last_step(), formulation_->failure()));
+    return false;
+  }
+  const bool at_event = step == Step::event;
+  // A sample exactly at the event is taken after it, from the projected state.
+  record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
+  result_.summary.t_end = t;
+  if (stopped_ || (at_event && !handle_events())) return false;
+  if (options_.observer) {
+    const StepCounters counters = formulation_->counters();
+    const Progress progress{.t = t,
+                            .fraction = (t - t_start_) / (options_.until - t_start_),
+                            .steps = counters.steps,
+                            .events = result_.summary.events};
+    if (!options_.observer(progress)) {
+      stop(Stop::interrupted, fmt::format("interrupted at t = {:.9g} s", t));
+      return false;
+    }
+  }
+  return t < options_.until;
+}
+
+void Run::stop(Stop why, std::string reason) {
+  if (stopped_) return;
+  stopped_ = true;
+  result_.summary.stop = why;
+  result_.summary.reason = std::move(reason);
+}
+
+void Run::finish() {
+  Summary& summary = result_.summary;
+  if (!stopped_) {
+    stop(Stop::completed, "reached the end time");
+    formulation_->interpolate(formulation_->time(), state_);
+    dynamics_.project(state_);
+  }
+  const StepCounters counters = formulation_->counters();
+  summary.steps = counters.steps;
+  summary.rejected = counters.rejected;
+  summary.jacobians = counters.jacobians;
+  summary.evaluations = dynamics_.evaluations();
+  summary.refactorisations =
+      dynamics_.counters().refactorisations + counters.factors.refactorisations;
+  summary.fresh_factorisations = dynamics_.counters().fresh + counters.factors.fresh;
+  summary.last_step = formulation_->last_step();
+  summary.wall_time = std::chrono::duration<double>(Clock::now() - began_).count();
+  result_.final = state_;
+}
+
+Result Run::go() {
+  if (initialise())
+    while (advance()) {
+    }
+  finish();
+  return std::move(result_);
+}
+
+}  // namespace
+
+Result simulate(const Model& model, const State& start, const SimulationOptions& options) {
+  return Run(model, start, options).go();
+}
+
+Result simulate(const Model& model, const SimulationOptions& options) {
+  return simulate(model, model.start_state(), options);
+}
+
+State assembled_state(const Model& model) {
+  Dynamics dynamics(model);
+  State state = model.start_state();
+  if (const Outcome outcome = dynamics.assemble(state); !outcome) throw ModelError(outcome.why);
+  return state;
+}
+
+}  // namespace yoke

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Runs a model in time. The user chooses a formulation by name and gives a tolerance, never a step.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yoke/core/model.hpp>
+#include <yoke/core/result.hpp>
+
+namespace yoke {
+
+/// How far a run has come; what an observer gets to see, at every accepted step.
+struct Progress {
+  double t = 0.0;         // [s]
+  double fraction = 0.0;  // of the time asked for, 0 to 1
+  long steps = 0;
+  long events = 0;
+};
+
+/// Numbers <= 0 mean "chosen from the model".
+struct SimulationOptions {
+  double until = 0.0;                             // [s] end time, > start time
+  double relative_tolerance = 1e-8;               // 1e-13 to 1e-2
+  std::string formulation = "arkode-projection";  // see formulations()
+  int samples = 1001;                             // rows, uniform in time, both ends; 0 or >= 2
+  double length_scale = 0.0;                      // [m] error weight of positions
+  double time_scale = 0.0;                        // [s] of velocities: length / time
+  double baumgarte_rate = 0.0;                    // [1/s] gain, formulation arkode-baumgarte only
+  /// Called at every accepted step; returning false stops the run as interrupted, with what was
+  /// computed so far.
+  std::function<bool(const Progress&)> observer;
+};
+
+/// Integrates `model` from its start pose (assembled first) or from `start`.
+/// Throws ModelError for options out of range, an unknown formulation, a start that cannot be
+/// assembled. Whatever happens later is told by Result::summary, with the results up to there.
+Result simulate(const Model& model, const SimulationOptions& options);
+Result simulate(const Model& model, const State& start, const SimulationOptions& options);
+
+/// The consistent state a run starts from: positions and velocities on the constraints,
+/// accelerations, multipliers, contacts touching or not. Throws ModelError naming the worst
+/// equation.
+State assembled_state(const Model& model);
+
+/// Name and one line about each formulation.
+struct FormulationNote {
+  std::string_view name;
+  std::string_view description;
+};
+std::vector<FormulationNote> formulations();
+
+}  // namespace yoke

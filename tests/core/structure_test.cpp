@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Who may include whom. Reads the source tree and fails on a wrong arrow.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::vector<std::string>> allowed_folders = {
+    {"core", {"core"}},
+    {"joints", {"joints", "core"}},
+    {"contact", {"contact", "core"}},
+    {"integrators", {"integrators", "core"}},
+    {"cases", {"cases", "core", "joints", "contact", "integrators"}},
+};
+
+struct File {
+  std::string folder;
+  bool header;
+};
+
+// Third-party headers, by the beginning of their name, and the files that may see them.
+struct Restriction {
+  std::vector<std::string> headers;
+  bool (*allows)(const File&);
+  std::string rule;
+};
+
+const std::vector<Restriction> restrictions = {
+    {{"arkode/", "cvode/", "cvodes/", "ida/", "idas/", "kinsol/", "nvector/", "sundials/",
+      "sunlinsol/", "sunmatrix/", "sunnonlinsol/"},
+     [](const File& f) { return f.folder == "integrators" && !f.header; },
+     "SUNDIALS belongs in integrators/*.cpp"},
+    {{"suitesparse/", "klu.h"},
+     [](const File& f) { return f.folder == "core" && !f.header; },
+     "KLU belongs in core/*.cpp"},
+    {{"CLI/"},
+     [](const File& f) { return f.folder == "cases"; },
+     "the command line belongs in cases/"},
+    {{"nlohmann/"},
+     [](const File& f) { return f.folder == "cases" || !f.header; },
+     "headers of the library must not need JSON"},
+    {{"boost/"},
+     [](const File& f) { return f.folder != "contact" || !f.header; },
+     "headers of contact/ must not need Boost"},
+};
+
+bool contains(const std::vector<std::string>& list, const std::string& entry) {
+  return std::find(list.begin(), list.end(), entry) != list.end();
+}
+
+// What an #include line names, with its < or " in front; empty for another line.
+std::string included(const std::string& line) {
+  std::istringstream words(line);
+  char hash = 0;
+  std::string directive;
+  words >> hash >> std::ws;
+  if (hash != '#') return {};
+  while (std::isalpha(words.peek()) != 0) directive += static_cast<char>(words.get());
+  if (directive != "include") return {};
+  std::string name;
+  words >> std::ws;
+  std::getline(words, name);
+  return name.substr(0, name.find_first_of(">\"", 1));
+}
+
+// The wrong includes of one file of the library or the cases; `path` is relative to the root.
+std::vector<std::string> wrong_includes(const std::string& path, const std::string& text) {
+  const File file = {path.substr(0, path.find('/')), path.ends_with(".hpp")};
+  std::vector<std::string> wrong;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::string name = included(line);
+    if (name.empty()) continue;
+    const std::string header = name.substr(1);
+    const auto report = [&](const std::string& rule) {
+      wrong.push_back(path + ":" + std::to_string(number) + ": " + header + ": " + rule);
+    };
+    if (name[0] == '"') {
+      report("headers are included as <yoke/folder/name.hpp>");
+    } else if (header.starts_with("yoke/")) {
+      const std::string target = header.substr(5, header.find('/', 5) - 5);
+      if (!contains(allowed_folders.at(file.folder), target)) {
+        report(file.folder + " must not see " + target);
+      }
+    }
+    for (const Restriction& r : restrictions) {
+      const bool named = std::any_of(r.headers.begin(), r.headers.end(),
+                                     [&](const std::string& h) { return header.starts_with(h); });
+      if (named && !r.allows(file)) report(r.rule);
+    }
+  }
+  return wrong;
+}
+
+bool has_licence(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i < 3 && std::getline(lines, line); ++i) {
+    if (line.find("SPDX-License-Identifier: BSD-3-Clause") != std::string::npos) return true;
+  }
+  return false;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path);
+  REQUIRE_MESSAGE(in.good(), path.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Files of the folder that we wrote and that carry a licence line.
+std::vector<std::string> sources(const fs::path& root, const std::string& folder) {
+  static const std::vector<std::string> endings = {".cpp", ".hpp", ".sh",  ".cmake",
+                                                   ".in",  ".py",  ".txt", ".gp"};
+  std::vector<std::string> found;
+  if (!fs::is_directory(root / folder)) return found;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == ".txt" && path.filename() != "CMakeLists.txt") continue;
+    if (entry.is_regular_file() && contains(endings, path.extension().string())) {
+      found.push_back(fs::relative(path, root).generic_string());
+    }
+  }
+  return found;
+}
+
+TEST_CASE("structure: folders include only what they may") {
+  const fs::path root = YOKE_SOURCE_DIR;
+  std::size_t files = 0;
+  for (const auto& [folder, allowed] : allowed_folders) {
+    for (const std::string& path : sources(root, folder)) {
+      if (!path.ends_with(".cpp") && !path.ends_with(".hpp")) continue;
+      ++files;
+      for (const std::string& wrong : wrong_includes(path, read(root / path))) {
+        FAIL_CHECK(wrong);
+      }
+    }
+  }
+  CHECK(files > 0);
+}
+
+TEST_CASE("structure: every file has its licence line") {
+  const fs::path root = YOKE_SOURCE_DIR;
+  std::vector<std::string> files = {"CMakeLists.txt", "packages.txt", "dev", ".ci/run",
+                                    ".clang-format"};
+  for (const char* folder :
+       {"core", "joints", "contact", "integrators", "cases", "tests", "docs"}) {
+    const std::vector<std::string> more = sources(root, folder);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  for (const std::string& path : files) CHECK_MESSAGE(has_licence(read(root / path)), path);
+}
+
+TEST_CASE("structure: the check sees a wrong arrow") {
+  const auto count = [](const std::string& path, const std::string& text) {
+    return wrong_includes(path, text).size();
+  };
+  CHECK(count("joints/a.hpp", "#include <vector>\n#include <yoke/core/model.hpp>\n") == 0);
+  CHECK(count("joints/a.hpp", "#include <yoke/contact/law.hpp>\n") == 1);
+  CHECK(count("contact/a.cpp", "  #  include <yoke/integrators/ida.hpp>\n") == 1);
+  CHECK(count("integrators/a.cpp", "#include <yoke/joints/weld.hpp>\n") == 1);
+  CHECK(count("core/a.cpp", "#include <yoke/joints/weld.hpp>\n") == 1);
+  CHECK(count("core/a.cpp", "#include <yoke/cases/scotch_yoke.hpp>\n") == 1);
+  CHECK(count("core/a.cpp", "#include \"../joints/weld.hpp\"\n") == 1);
+  CHECK(count("cases/a.cpp", "#include <yoke/joints/weld.hpp>\n#include <CLI/CLI.hpp>\n") == 0);
+
+  CHECK(count("integrators/a.cpp", "#include <idas/idas.h>\n") == 0);
+  CHECK(count("integrators/a.hpp", "#include <sundials/sundials_types.h>\n") == 1);
+  CHECK(count("core/a.cpp", "#include <nvector/nvector_serial.h>\n") == 1);
+  CHECK(count("core/a.cpp", "#include <suitesparse/klu.h>\n") == 0);
+  CHECK(count("core/a.hpp", "#include <suitesparse/klu.h>\n") == 1);
+  CHECK(count("integrators/a.cpp", "#include <klu.h>\n") == 1);
+  CHECK(count("contact/a.cpp", "#include <boost/math/special_functions/lambert_w.hpp>\n") == 0);
+  CHECK(count("contact/a.hpp", "#include <boost/math/special_functions/lambert_w.hpp>\n") == 1);
+
+  CHECK(has_licence("#!/bin/sh\n# SPDX-License-Identifier: BSD-3-Clause\n"));
+  CHECK_FALSE(has_licence("int main() {}\n"));
+}
+
+}  // namespace
