@@ -7,8 +7,8 @@
 //   // The pin stays on a circle about a point of the other body: |p - c| - R = 0 [m].
 //   class PointOnCircle : public AutoConstraint<PointOnCircle, 1, 2> {
 //    public:
-//     PointOnCircle(std::string name, BodyId pin, BodyId disc, double radius)
-//         : AutoConstraint(std::move(name), {pin, disc}, {{"radial", Measure::length}}),
+//     PointOnCircle(const std::string& name, BodyId pin, BodyId disc, double radius)
+//         : AutoConstraint(name, {pin, disc}, {{"radial", Measure::length}}),
 //           radius_(radius) {}
 //     template <class T>
 //     T phi(const AutoPose<T>& pin, const AutoPose<T>& disc, const T& /*t*/) const {
@@ -32,11 +32,13 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <yoke/core/auto_scalar.hpp>
 #include <yoke/core/constraint.hpp>
+#include <yoke/core/error.hpp>
 
 namespace yoke {
 
@@ -59,11 +61,15 @@ class AutoConstraint : public Constraint {
   }
 
  protected:
-  /// `pattern` as in Constraint: true where G can be non-zero, row-major; empty: everywhere.
-  AutoConstraint(std::string name, std::array<BodyId, Bodies> bodies,
-                 std::array<Equation, Rows> equations, std::vector<bool> pattern = {})
-      : Constraint(std::move(name), {bodies.begin(), bodies.end()},
-                   {equations.begin(), equations.end()}, std::move(pattern)) {}
+  /// One equation for each row; `pattern` as in Constraint: true where G can be non-zero,
+  /// row-major; empty: everywhere.
+  AutoConstraint(const std::string& name, std::array<BodyId, Bodies> bodies,
+                 std::vector<Equation> equations, std::vector<bool> pattern = {})
+      : Constraint(name, {bodies.begin(), bodies.end()}, std::move(equations), std::move(pattern)) {
+    if (rows() != Rows)
+      throw ModelError(fmt::format("joint '{}': {} equations are named for the {} rows of phi",
+                                   name, rows(), Rows));
+  }
 
  private:
   static constexpr int columns_ = 3 * Bodies;
@@ -81,19 +87,18 @@ class AutoConstraint : public Constraint {
   Eigen::Vector<T, Rows> call(const Motion& motion, const Coordinate& coordinate) const {
     std::array<AutoPose<T>, Bodies> pose;
     for (int k = 0; k < Bodies; ++k) {
-      using std::cos, std::sin;
       const BodyMotion& b = body(motion, k);
       AutoPose<T>& p = pose[static_cast<std::size_t>(k)];
       p.x = coordinate(3 * k, b.x);
       p.y = coordinate(3 * k + 1, b.y);
       p.angle = coordinate(3 * k + 2, b.angle);
-      p.c = cos(p.angle);
-      p.s = sin(p.angle);
+      std::tie(p.c, p.s) = auto_cos_sin(p.angle, b.c, b.s);
     }
     const T t = coordinate(columns_, motion.t);
     return [&]<std::size_t... k>(std::index_sequence<k...>) {
       return Eigen::Vector<T, Rows>(self().phi(pose[k]..., t));
-    }(std::make_index_sequence<static_cast<std::size_t>(Bodies)>{});
+    }
+    (std::make_index_sequence<static_cast<std::size_t>(Bodies)>{});
   }
 
   void evaluate_phi(const Motion& motion, const ConstraintRequest& out) const {

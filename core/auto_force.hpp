@@ -12,10 +12,10 @@
 //     void apply(AutoBody<T>& a, AutoBody<T>& b, AutoElement<T>& e) const {
 //       const Eigen::Vector2<T> d = b.position() - a.position();
 //       const T stretch = d.norm() - rest;
-//       const Eigen::Vector2<T> force = d.normalized() * (k * stretch + k3 * stretch * stretch * stretch);
-//       a.add_force(force, a.position());
-//       b.add_force(-force, b.position());
-//       e.potential += 0.5 * k * stretch * stretch + 0.25 * k3 * pow(stretch, 4);
+//       const T tension = k * stretch + k3 * pow(stretch, 3);
+//       a.add_force(d.normalized() * tension, a.position());
+//       b.add_force(d.normalized() * -tension, b.position());
+//       e.potential += k / 2 * pow(stretch, 2) + k3 / 4 * pow(stretch, 4);
 //     }
 //   };
 //   model.add(HardeningSpring("spring", crank, slider));
@@ -30,6 +30,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <yoke/core/auto_scalar.hpp>
@@ -40,8 +41,8 @@ namespace yoke {
 /// A body that moves and can be pushed.
 template <class T>
 struct AutoBody : AutoPose<T> {
-  T vx, vy, omega;          // [m/s, m/s, rad/s]
-  T fx{}, fy{}, moment{};   // [N, N, N m] collected so far, about the centre of mass
+  T vx, vy, omega;         // [m/s, m/s, rad/s]
+  T fx{}, fy{}, moment{};  // [N, N, N m] collected so far, about the centre of mass
 
   Eigen::Vector2<T> velocity() const { return {vx, vy}; }
   /// Global velocity of a body-fixed point [m/s].
@@ -69,8 +70,8 @@ struct AutoElement {
   const double* parameters = nullptr;  // in the order of parameters()
   std::array<T, States> z{};
   std::array<T, States> z_dot{};
-  T potential{}, stored{};                    // [J]
-  T dissipated_power{}, supplied_power{};     // [W]
+  T potential{}, stored{};                 // [J]
+  T dissipated_power{}, supplied_power{};  // [W]
 };
 
 template <class Self, int Bodies, int States = 0>
@@ -82,9 +83,8 @@ class AutoForce : public ForceElement {
   }
 
   void evaluate(const ForceInput& in, const ForceRequest& out) const final {
-    const bool derivatives = out.dQ_dq != nullptr || out.dQ_dv != nullptr ||
-                             out.dQ_dz != nullptr || out.dz_dq != nullptr ||
-                             out.dz_dv != nullptr || out.dz_dz != nullptr;
+    const bool derivatives = out.dQ_dq != nullptr || out.dQ_dv != nullptr || out.dQ_dz != nullptr ||
+                             out.dz_dq != nullptr || out.dz_dv != nullptr || out.dz_dz != nullptr;
     if (derivatives)
       run<Variable>(in, out, [](int i, double x) { return auto_variable<Variable>(x, i); });
     else
@@ -113,20 +113,17 @@ class AutoForce : public ForceElement {
     element.parameters = in.parameters;
     for (int i = 0; i < States; ++i)
       element.z[static_cast<std::size_t>(i)] = coordinate(2 * columns_ + i, in.z[i]);
-    [&]<std::size_t... k>(std::index_sequence<k...>) {
-      self().apply(bodies[k]..., element);
-    }(std::make_index_sequence<static_cast<std::size_t>(Bodies)>{});
+    [&]<std::size_t... k>(std::index_sequence<k...>) { self().apply(bodies[k]..., element); }
+    (std::make_index_sequence<static_cast<std::size_t>(Bodies)>{});
     write(bodies, element, out);
   }
 
   template <class T, class Coordinate>
   static void read(const BodyMotion& b, int i, const Coordinate& coordinate, AutoBody<T>& body) {
-    using std::cos, std::sin;
     body.x = coordinate(i, b.x);
     body.y = coordinate(i + 1, b.y);
     body.angle = coordinate(i + 2, b.angle);
-    body.c = cos(body.angle);
-    body.s = sin(body.angle);
+    std::tie(body.c, body.s) = auto_cos_sin(body.angle, b.c, b.s);
     body.vx = coordinate(columns_ + i, b.vx);
     body.vy = coordinate(columns_ + i + 1, b.vy);
     body.omega = coordinate(columns_ + i + 2, b.omega);

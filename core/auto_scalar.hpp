@@ -37,8 +37,8 @@ class Dual {
 
   Dual() : Dual(0.0) {}
   template <class Number>
-    requires std::is_arithmetic_v<Number>
-  Dual(Number constant)  // implicit: numbers may be mixed with variables
+  requires std::is_arithmetic_v<Number> Dual(
+      Number constant)  // implicit: numbers may be mixed with variables
       : ad_(Scalar(static_cast<double>(constant)), Gradient::Zero()) {}
   Dual(const Scalar& value, const Gradient& gradient) : ad_(value, gradient) {}
   template <class Expression>
@@ -110,9 +110,8 @@ class Dual {
   friend Dual atan2(const Dual& y, const Dual& x) {
     using std::atan2;
     const Scalar scale = 1.0 / (x.value() * x.value() + y.value() * y.value());
-    return Dual(atan2(y.value(), x.value()),
-                Gradient(y.gradient() * Scalar(x.value() * scale) -
-                         x.gradient() * Scalar(y.value() * scale)));
+    return Dual(atan2(y.value(), x.value()), Gradient(y.gradient() * Scalar(x.value() * scale) -
+                                                      x.gradient() * Scalar(y.value() * scale)));
   }
   friend Dual hypot(const Dual& x, const Dual& y) { return sqrt(x * x + y * y); }
   friend Dual pow(const Dual& a, double n) {
@@ -143,6 +142,17 @@ inline double auto_value(double x) { return x; }
 template <class Scalar, int N>
 double auto_value(const Dual<Scalar, N>& x) {
   return auto_value(x.value());
+}
+
+/// Cosine and sine of an angle whose cosine c and sine s are known already as numbers.
+template <class T>
+std::pair<T, T> auto_cos_sin(const T& angle, double c, double s) {
+  if constexpr (std::is_same_v<T, double>) {
+    return {c, s};
+  } else {
+    const auto [cosine, sine] = auto_cos_sin(angle.value(), c, s);
+    return {angle.chain(cosine, -sine), angle.chain(sine, cosine)};
+  }
 }
 
 /// A vector from two numbers, any of which may carry derivatives.

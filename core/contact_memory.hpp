@@ -19,8 +19,7 @@ struct ContactMemory {
   double effective_mass = 0.0;       // [kg] along the normal at onset, 1/(n^T J A J^T n)
   double largest_penetration = 0.0;  // [m] at the last end of compression
   double permanent_set = 0.0;        // [m] residual indentation left by this contact
-  double release_penetration =
-      0.0;  // [m] where it let go, if that was above zero and is not cleared
+  double release_penetration = 0.0;  // [m] of the next onset: a dent, a lifted contact, or a margin
   friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
 };
 

@@ -120,7 +120,11 @@ bool Dynamics::calc_accelerations(double t, const double* q, const double* v, co
   for (std::size_t i = 0; i + 1 < b_.size(); ++i) sum += b_[i];
   if (z_dot != nullptr)
     for (int i = 0; i < system_.states(); ++i) sum += z_dot[i];
-  if (!std::isfinite(sum)) return false;
+  if (!std::isfinite(sum)) {
+    system_.blame_not_finite();
+    factorised_ = false;
+    return false;
+  }
   std::copy_n(b_.begin(), n, a);
   if (lambda != nullptr) std::copy_n(b_.begin() + n, system_.rows(), lambda);
   if (quadrature_rates != nullptr) system_.add_driver_power(gamma, quadrature_rates);
@@ -216,19 +220,22 @@ Outcome Dynamics::explain_singular(const State& state) {
 
 Outcome Dynamics::assemble(State& state) {
   system_.bind(state);
+  const Eigen::VectorXd start = state.q;
   const Outcome not_finite{false, "a joint gives a value that is not finite at the start pose"};
   for (int round = 0; round * max_projection_iterations < max_assembly_iterations; ++round) {
     if (project_positions(state.t, state.q.data())) {
       if (!project_velocities(state.t, state.q.data(), state.v.data()))
         return explain_singular(state);
       if (!calc_accelerations(state))
-        return {false,
-                "accelerations at the start are not finite: look for a force element that "
-                "returns a value that is not finite"};
+        return {false, fmt::format("accelerations at the start are not finite because of '{}'",
+                                   system_.not_finite())};
       return {};
     }
     if (!std::isfinite(worst_residual_)) return not_finite;
-    if (!factorised_) return explain_singular(state);
+    // Singular where the user put it: dependent equations. Singular where the search ended: it went
+    // as far as it could towards a pose that does not exist.
+    if (!factorised_ && state.q == start) return explain_singular(state);
+    if (!factorised_) break;
   }
   const bool length = system_.measure(worst_row_) == Measure::length;
   return {false,

@@ -83,8 +83,10 @@ struct EventContext {
   std::function<double(const double* direction)> effective_mass;
   /// [m/s^2 ...] accelerations [3k] of the element's bodies.
   const double* acceleration = nullptr;
-  std::function<void(EventRecord)> record;  // t and element are filled in
-  std::function<void(std::string)> fail;    // stops the run with this reason
+  /// Adds [J] to the dissipated energy of the element, at once; may be negative.
+  std::function<void(double)> dissipate{};
+  std::function<void(EventRecord)> record{};  // t and element are filled in
+  std::function<void(std::string)> fail{};    // stops the run with this reason
 };
 
 /// How the force of an element depends on the state: what the sparsity pattern needs to know.

@@ -74,7 +74,17 @@ nlohmann::json number(double x) {
 }  // namespace
 
 void Table::add_column(std::string name, std::string_view unit, std::vector<std::string> labels) {
-  if (!unit.empty() && unit != "1") name += "_" + std::string(unit);
+  // "m/s^2" becomes "_m_per_s2": column names are identifiers in most tools that read them.
+  if (!unit.empty() && unit != "1") name += "_";
+  for (const char c : unit) {
+    if (c == '/') {
+      name += "_per_";
+    } else if (c == ' ') {
+      name += '_';
+    } else if (c != '^') {
+      name += c;
+    }
+  }
   names_.push_back(std::move(name));
   labels_.push_back(std::move(labels));
 }

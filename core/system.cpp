@@ -233,6 +233,23 @@ void System::calc_events(double* g) const {
     if (f.element->events() > 0) f.element->calc_events(force_input(f), g + f.events);
 }
 
+void System::blame_not_finite() {
+  const auto finite = [](const double* values, int count) {
+    return std::all_of(values, values + count, [](double x) { return std::isfinite(x); });
+  };
+  for (const ForceSlot& f : forces_) {
+    double* local = Q_.data() + f.block;
+    std::fill_n(local, f.columns, 0.0);
+    f.element->evaluate(force_input(f), {.Q = local});
+    if (!finite(local, f.columns)) not_finite_ = f.element->name();
+  }
+  for (const ConstraintSlot& c : constraints_) {
+    c.element->evaluate(motion_, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
+    if (!finite(G_.data() + c.block, c.rows * c.columns) || !finite(phi_t_.data() + c.row, c.rows))
+      not_finite_ = c.element->name();
+  }
+}
+
 EnergyTerms System::calc_energy() const {
   EnergyTerms total;
   for (std::size_t i = 1; i < bodies_.size(); ++i) {

@@ -105,6 +105,10 @@ class System {
   /// All event functions [events].
   void calc_events(double* g) const;
   EnergyTerms calc_energy() const;
+  /// Looks for the element that gives a value that is not finite at the motion set last and keeps
+  /// its name for the report of a failed run. Off the hot path.
+  void blame_not_finite();
+  const std::string& not_finite() const { return not_finite_; }
 
   Scales scales() const { return scales_; }
   void set_scales(const Scales& scales) { scales_ = scales; }
@@ -133,6 +137,7 @@ class System {
   const double* parameters_ = nullptr;
   const ContactMemory* contacts_ = nullptr;
   Scales scales_;
+  std::string not_finite_;
 };
 
 }  // namespace yoke

@@ -25,7 +25,8 @@ TimeFunction smooth_ramp(double start, double speed, double duration) {
   if (duration == 0.0) return constant_speed(start, speed);
   return TimeFunction([start, speed, duration](double t) {
     if (t <= 0.0) return TimeValue{.value = start};
-    if (t >= duration) return TimeValue{.value = start + speed * (t - 0.5 * duration), .rate = speed};
+    if (t >= duration)
+      return TimeValue{.value = start + speed * (t - 0.5 * duration), .rate = speed};
     const double x = t / duration, x2 = x * x, x3 = x2 * x;
     return TimeValue{.value = start + speed * duration * x2 * x2 * (2.5 + x * (x - 3.0)),
                      .rate = speed * x3 * (10.0 + x * (6.0 * x - 15.0)),

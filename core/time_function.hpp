@@ -26,9 +26,9 @@ class TimeFunction {
   TimeFunction() = default;  // none yet: drivers refuse it
   /// From anything that returns all three: [](double t) { return TimeValue{...}; }.
   template <class F>
-    requires(!std::same_as<std::decay_t<F>, TimeFunction>) &&
-            std::is_invocable_r_v<TimeValue, const F&, double>
-  TimeFunction(F f) : f_(std::move(f)) {}  // implicit: a lambda may be given to a driver as it is
+  requires(!std::same_as<std::decay_t<F>, TimeFunction>) &&
+      std::is_invocable_r_v<TimeValue, const F&, double> TimeFunction(F f)
+      : f_(std::move(f)) {}  // implicit: a lambda may be given to a driver as it is
 
   TimeValue operator()(double t) const { return f_(t); }
   explicit operator bool() const { return static_cast<bool>(f_); }
@@ -49,7 +49,8 @@ TimeFunction constant_speed(double start, double speed);
 /// duration of 0 is constant_speed. Throws ModelError.
 TimeFunction smooth_ramp(double start, double speed, double duration);
 
-/// From f alone, differentiated automatically: time_function([](auto t) { return 0.1 * sin(3.0 * t);
+/// From f alone, differentiated automatically: time_function([](auto t) { return 0.1 * sin(3.0 *
+/// t);
 /// }). Functions of t are written without std::.
 template <class F>
 TimeFunction time_function(F f) {

@@ -47,6 +47,8 @@ class Arkode final : public Formulation {
   Step fail();
 
   double* y() { return NV_DATA_S(y_); }
+  /// Positions for displacements y, in scratch.
+  double* q_of(const double* y);
   const double* v_of(const double* y) const { return y + n_; }
   const double* z_of(const double* y) const { return y + 2 * n_; }
 
@@ -60,6 +62,7 @@ class Arkode final : public Formulation {
   void* memory_ = nullptr;
   N_Vector y_ = nullptr;
   N_Vector weights_ = nullptr;
+  std::vector<double> q_start_, q_;
   double t_ = 0.0;
   double t_stop_ = 0.0;
   std::vector<int> found_;
@@ -82,7 +85,14 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
   weights_ = N_VNew_Serial(size_, context_);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   failure_.reserve(512);
+  q_start_.assign(static_cast<std::size_t>(n_), 0.0);
+  q_ = q_start_;
   set_weights();
+}
+
+double* Arkode::q_of(const double* y) {
+  for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = q_start_[i] + y[i];
+  return q_.data();
 }
 
 Arkode::~Arkode() {
@@ -101,7 +111,8 @@ void Arkode::set_weights() {
 }
 
 void Arkode::pack(const State& state) {
-  std::copy_n(state.q.data(), n_, y());
+  std::copy_n(state.q.data(), n_, q_start_.begin());
+  std::fill_n(y(), n_, 0.0);
   std::copy_n(state.v.data(), n_, y() + n_);
   std::copy_n(state.z.data(), nz_, y() + 2 * n_);
   std::copy_n(state.energy.data(), quadratures_, y() + 2 * n_ + nz_);
@@ -127,7 +138,7 @@ void Arkode::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;  // not set yet
-  guard_.start(t_, y(), v_of(y()), z_of(y()));
+  guard_.start(t_, state.q.data(), v_of(y()), z_of(y()));
   if (memory_ == nullptr) {
     create(state);
   } else {
@@ -145,10 +156,10 @@ Step Arkode::step(double t_stop) {
   if (flag < 0) return fail();
   if (flag == ARK_ROOT_RETURN) {
     ERKStepGetRootInfo(memory_, found_.data());
-    guard_.collect(t_, y(), v_of(y()), z_of(y()), found_);
+    guard_.collect(t_, q_of(y()), v_of(y()), z_of(y()), found_);
     return Step::event;
   }
-  guard_.accept(t_, y(), v_of(y()), z_of(y()));
+  guard_.accept(t_, q_of(y()), v_of(y()), z_of(y()));
   return Step::advanced;
 }
 
@@ -166,7 +177,7 @@ double Arkode::last_step() const {
 void Arkode::interpolate(double t, State& state) {
   ERKStepGetDky(memory_, t, 0, y_);
   state.t = t;
-  std::copy_n(y(), n_, state.q.data());
+  std::copy_n(q_of(y()), n_, state.q.data());
   std::copy_n(y() + n_, n_, state.v.data());
   std::copy_n(y() + 2 * n_, nz_, state.z.data());
   std::copy_n(y() + 2 * n_ + nz_, quadratures_, state.energy.data());
@@ -189,8 +200,8 @@ int Arkode::rates(sunrealtype t, N_Vector y_vector, N_Vector y_dot_vector, void*
   double* y_dot = NV_DATA_S(y_dot_vector);
   const int n = me.n_;
   std::copy_n(y + n, n, y_dot);
-  const bool ok = me.dynamics_.calc_accelerations(t, y, y + n, y + 2 * n, y_dot + n, nullptr,
-                                                  y_dot + 2 * n, y_dot + 2 * n + me.nz_,
+  const bool ok = me.dynamics_.calc_accelerations(t, me.q_of(y), y + n, y + 2 * n, y_dot + n,
+                                                  nullptr, y_dot + 2 * n, y_dot + 2 * n + me.nz_,
                                                   me.projects_ ? nullptr : &me.stabilisation_);
   return ok ? 0 : 1;  // recoverable: ARKODE tries a shorter step
 }
@@ -198,8 +209,11 @@ int Arkode::rates(sunrealtype t, N_Vector y_vector, N_Vector y_dot_vector, void*
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
   auto& me = *static_cast<Arkode*>(self);
   double* y = NV_DATA_S(y_vector);
-  if (me.dynamics_.project_positions(t, y) && me.dynamics_.project_velocities(t, y, y + me.n_))
+  double* q = me.q_of(y);
+  if (me.dynamics_.project_positions(t, q) && me.dynamics_.project_velocities(t, q, y + me.n_)) {
+    for (int i = 0; i < me.n_; ++i) y[i] = q[i] - me.q_start_[static_cast<std::size_t>(i)];
     return 0;
+  }
   const System& system = me.dynamics_.system();
   me.failure_ = fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
                             system.equation_name(me.dynamics_.worst_row()));
@@ -209,7 +223,7 @@ int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
 int Arkode::events(sunrealtype t, N_Vector y_vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<Arkode*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guard_.evaluate(t, y, me.v_of(y), me.z_of(y), g) ? 0 : -1;
+  return me.guard_.evaluate(t, me.q_of(y), me.v_of(y), me.z_of(y), g) ? 0 : -1;
 }
 
 void Arkode::on_error(int code, const char*, const char*, char* message, void* self) {

@@ -165,6 +165,7 @@ bool GglMatrix::calc_residual(double t, const double* y, const double* y_dot, do
     sum += r_z[i];
   }
   for (int i = lambda(); i < size_; ++i) sum += residual[i];
+  if (!std::isfinite(sum)) system_.blame_not_finite();
   return std::isfinite(sum);
 }
 

@@ -3,7 +3,9 @@
 //
 // BDF of variable order and step (SUNDIALS IDAS) on the stabilised index-2 equations of
 // ggl_matrix.hpp. The matrix and the linear solver are our own: IDA would set a sparse matrix's
-// index arrays to zero before every Jacobian, and could not scale it. Energies are quadratures.
+// index arrays to zero before every Jacobian, and could not scale it. Energies are quadratures. The
+// first part of y are displacements from the last restart, so that rounding in IDA's sums does not
+// know where the origin is.
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
@@ -52,6 +54,8 @@ class IdaGgl final : public Formulation {
   void set_weights();
   void pack(const State& state);
 
+  /// y with positions for displacements, in scratch.
+  const double* absolute(const double* y);
   double* y() { return NV_DATA_S(y_); }
   double* y_dot() { return NV_DATA_S(y_dot_); }
 
@@ -67,6 +71,7 @@ class IdaGgl final : public Formulation {
   N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr, id_ = nullptr;
   N_Vector energy_ = nullptr, energy_weights_ = nullptr;
   std::vector<double> a_, lambda_;
+  std::vector<double> q_start_, absolute_;
   double t_ = 0.0;
   double t_stop_ = 0.0;
   std::vector<int> found_;
@@ -96,6 +101,8 @@ IdaGgl::IdaGgl(Dynamics& dynamics, const Tolerances& tolerances)
   a_.assign(static_cast<std::size_t>(n_), 0.0);
   lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
   failure_.reserve(512);
+  q_start_.assign(static_cast<std::size_t>(n_), 0.0);
+  absolute_.assign(static_cast<std::size_t>(equations_.size()), 0.0);
   set_weights();
   create_matrix_and_solver();
 }
@@ -106,6 +113,12 @@ IdaGgl::~IdaGgl() {
   SUNMatFreeEmpty(matrix_);
   for (N_Vector vector : {y_, y_dot_, weights_, id_, energy_, energy_weights_}) N_VDestroy(vector);
   SUNContext_Free(&context_);
+}
+
+const double* IdaGgl::absolute(const double* y) {
+  std::copy_n(y, absolute_.size(), absolute_.begin());
+  for (std::size_t i = 0; i < q_start_.size(); ++i) absolute_[i] += q_start_[i];
+  return absolute_.data();
 }
 
 // SUNDIALS sees a matrix without data and a direct solver that works on equations_.
@@ -140,15 +153,15 @@ void IdaGgl::set_weights() {
 void IdaGgl::pack(const State& state) {
   N_VConst(0.0, y_);
   N_VConst(0.0, y_dot_);
-  std::copy_n(state.q.data(), n_, y());
+  std::copy_n(state.q.data(), n_, q_start_.begin());
   std::copy_n(state.v.data(), n_, y() + equations_.v());
   std::copy_n(state.z.data(), nz_, y() + equations_.z());
   std::copy_n(state.lambda.data(), rows_, y() + equations_.lambda());
   std::copy_n(state.v.data(), n_, y_dot());
   std::copy_n(state.energy.data(), quadratures_, NV_DATA_S(energy_));
   // The accelerations of the state belong to the contacts before an event; ask again.
-  dynamics_.calc_accelerations(state.t, y(), y() + n_, y() + 2 * n_, a_.data(), lambda_.data(),
-                               nz_ > 0 ? y_dot() + 2 * n_ : nullptr, nullptr);
+  dynamics_.calc_accelerations(state.t, state.q.data(), y() + n_, y() + 2 * n_, a_.data(),
+                               lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr, nullptr);
   std::copy(a_.begin(), a_.end(), y_dot() + equations_.v());
   std::copy(lambda_.begin(), lambda_.end(), y() + equations_.lambda());
 }
@@ -182,7 +195,7 @@ void IdaGgl::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;
-  guard_.start(t_, y(), y() + n_, y() + 2 * n_);
+  guard_.start(t_, state.q.data(), y() + n_, y() + 2 * n_);
   if (memory_ == nullptr) {
     create(state);
     return;
@@ -205,10 +218,10 @@ Step IdaGgl::step(double t_stop) {
   }
   if (flag == IDA_ROOT_RETURN) {
     IDAGetRootInfo(memory_, found_.data());
-    guard_.collect(t_, y(), y() + n_, y() + 2 * n_, found_);
+    guard_.collect(t_, absolute(y()), y() + n_, y() + 2 * n_, found_);
     return Step::event;
   }
-  guard_.accept(t_, y(), y() + n_, y() + 2 * n_);
+  guard_.accept(t_, absolute(y()), y() + n_, y() + 2 * n_);
   return Step::advanced;
 }
 
@@ -221,7 +234,7 @@ double IdaGgl::last_step() const {
 void IdaGgl::interpolate(double t, State& state) {
   IDAGetDky(memory_, t, 0, y_);
   state.t = t;
-  std::copy_n(y(), n_, state.q.data());
+  std::copy_n(absolute(y()), n_, state.q.data());
   std::copy_n(y() + equations_.v(), n_, state.v.data());
   std::copy_n(y() + equations_.z(), nz_, state.z.data());
   if (quadratures_ == 0) return;
@@ -246,13 +259,15 @@ StepCounters IdaGgl::counters() const {
 
 int IdaGgl::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
-  const bool ok = me.equations_.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r));
+  const bool ok =
+      me.equations_.calc_residual(t, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot), NV_DATA_S(r));
   return ok ? 0 : 1;  // recoverable: a shorter step
 }
 
 int IdaGgl::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector, SUNMatrix,
                      void* self, N_Vector, N_Vector, N_Vector) {
-  static_cast<IdaGgl*>(self)->equations_.calc_jacobian(t, c, NV_DATA_S(y));
+  auto& me = *static_cast<IdaGgl*>(self);
+  me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)));
   return 0;
 }
 
@@ -271,15 +286,16 @@ int IdaGgl::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sun
 int IdaGgl::quadrature(sunrealtype t, N_Vector y_vector, N_Vector, N_Vector rates, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
   const double* y = NV_DATA_S(y_vector);
-  const bool ok = me.dynamics_.calc_accelerations(t, y, y + me.n_, y + 2 * me.n_, me.a_.data(),
-                                                  me.lambda_.data(), nullptr, NV_DATA_S(rates));
+  const bool ok =
+      me.dynamics_.calc_accelerations(t, me.absolute(y), y + me.n_, y + 2 * me.n_, me.a_.data(),
+                                      me.lambda_.data(), nullptr, NV_DATA_S(rates));
   return ok ? 0 : 1;
 }
 
 int IdaGgl::events(sunrealtype t, N_Vector y_vector, N_Vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guard_.evaluate(t, y, y + me.n_, y + 2 * me.n_, g) ? 0 : -1;
+  return me.guard_.evaluate(t, me.absolute(y), y + me.n_, y + 2 * me.n_, g) ? 0 : -1;
 }
 
 void IdaGgl::on_error(int code, const char*, const char*, char* message, void* self) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <yoke/core/recorder.hpp>
 #include <yoke/integrators/formulation.hpp>
@@ -20,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 // progress any more.
 constexpr long max_events_in_window = 2000;
 constexpr double event_window = 1e-6;
+constexpr int max_stalled_steps = 100;
 
 const FormulationEntry& find_formulation(const std::string& name) {
   std::string known;
@@ -60,6 +62,8 @@ class Run {
   bool handle_events();
   EventContext context_of(const ForceSlot& slot);
   bool too_many_events();
+  bool stalls(double t);
+  std::string blame() const;
   void finish();
   void stop(Stop why, std::string reason);
   double sample_time(long i) const;
@@ -77,6 +81,8 @@ class Run {
   double window_start_ = 0.0;
   long window_events_ = 0;
   std::vector<double> local_acceleration_;
+  double t_last_ = 0.0;
+  int stalled_steps_ = 0;
   bool stopped_ = false;
 };
 
@@ -114,6 +120,10 @@ EventContext Run::context_of(const ForceSlot& slot) {
           .effective_mass = [this,
                              &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
           .acceleration = local_acceleration_.data(),
+          .dissipate =
+              [this, &slot](double joules) {
+                if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+              },
           .record =
               [this, &slot](EventRecord record) {
                 record.t = state_.t;
@@ -229,18 +239,44 @@ bool Run::handle_events() {
   return true;
 }
 
+// IDA goes on for ever with steps that no longer move the time.
+bool Run::stalls(double t) {
+  const double resolvable = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  stalled_steps_ = t - t_last_ > resolvable ? 0 : stalled_steps_ + 1;
+  t_last_ = t;
+  return stalled_steps_ > max_stalled_steps;
+}
+
+/// Who is to blame for a step that fails, and what to try.
+std::string Run::blame() const {
+  const std::string& culprit = dynamics_.system().not_finite();
+  if (!culprit.empty())
+    return fmt::format(": '{}' gives a value that is not finite there", culprit);
+  const std::string last =
+      result_.events.empty()
+          ? ""
+          : fmt::format(" (last event: {} of '{}' at t = {:.9g} s)", result_.events.back().kind,
+                        result_.events.back().element, result_.events.back().t);
+  return fmt::format(
+      ": a force or driver has no limit there, or the tolerance is too tight{}; try "
+      "a looser tolerance or another formulation",
+      last);
+}
+
 bool Run::advance() {
   const Step step = formulation_->step(options_.until);
   const double t = formulation_->time();
   if (step == Step::failed) {
     stop(Stop::failed,
-         fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s: {}. Try a "
-                     "looser tolerance or the other formulation; look at the contact or force that "
-                     "acts at this time.",
-                     t, formulation_->last_step(), formulation_->failure()));
+         fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{} ({})", t,
+                     formulation_->last_step(), blame(), formulation_->failure()));
     return false;
   }
   const bool at_event = step == Step::event;
+  if (stalls(t)) {
+    stop(Stop::failed, fmt::format("the step size has run to zero at t = {:.9g} s{}", t, blame()));
+    return false;
+  }
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
   result_.summary.t_end = t;

@@ -33,7 +33,7 @@ struct SimulationOptions {
   double baumgarte_rate = 0.0;                    // [1/s] gain, formulation arkode-baumgarte only
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
-  std::function<bool(const Progress&)> observer;
+  std::function<bool(const Progress&)> observer{};
 };
 
 /// Integrates `model` from its start pose (assembled first) or from `start`.

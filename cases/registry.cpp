@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/core/error.hpp>
+
+namespace yoke::cases {
+
+// One function per case, defined in the file of its name.
+Case scotch_yoke_case();
+
+const std::vector<Case>& case_registry() {
+  static const std::vector<Case> cases = {
+      scotch_yoke_case(),
+  };
+  return cases;
+}
+
+const Case& find_case(std::string_view name) {
+  std::vector<std::string> known;
+  for (const Case& c : case_registry()) {
+    if (c.name == name) return c;
+    known.push_back(c.name);
+  }
+  if (name.empty())
+    throw ModelError(fmt::format("which case? There are '{}'", fmt::join(known, "', '")));
+  throw ModelError(fmt::format("unknown case '{}'{}", name, suggestion(name, known)));
+}
+
+std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws) {
+  std::vector<std::string> known, chosen;
+  for (const LawNote& note : c.laws) known.push_back(note.name);
+  for (const std::string& law : laws)
+    if (std::ranges::find(known, law) == known.end())
+      throw ModelError(fmt::format("unknown law '{}'{}", law, suggestion(law, known)));
+  std::ranges::copy_if(known, std::back_inserter(chosen), [&](const std::string& law) {
+    return laws.empty() || std::ranges::find(laws, law) != laws.end();
+  });
+  return chosen;
+}
+
+}  // namespace yoke::cases

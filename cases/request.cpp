@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/request.hpp>
+
+#include <algorithm>
+#include <thread>
+
+#include <yoke/cases/verb.hpp>
+#include <yoke/core/error.hpp>
+#include <yoke/integrators/simulate.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+std::string checked_formulation(const std::string& name) {
+  std::vector<std::string> known;
+  for (const FormulationNote& note : formulations()) known.emplace_back(note.name);
+  if (name.empty()) return known.front();
+  if (std::ranges::find(known, name) == known.end())
+    throw ModelError(fmt::format("unknown formulation '{}'{}", name, suggestion(name, known)));
+  return name;
+}
+
+void print_case_help(const Case& c) {
+  fmt::print("\n{}: {}\n\nParameters (--set name=value)\n", c.name, c.description);
+  for (const CaseParameter& p : c.parameters) {
+    fmt::print("  {:<16} {}\n", p.name, p.description);
+    fmt::print("  {:<16} default {}; {}{}\n", "", p.default_text, p.range_text(),
+               p.numeric() && p.quantity != Quantity::number
+                   ? fmt::format("; units {}", accepted_units(p.quantity))
+                   : "");
+  }
+  if (!c.laws.empty()) fmt::print("\nLaws (--law NAME)\n");
+  for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
+  fmt::print("\nFormulations (--formulation NAME; the first is the default)\n");
+  for (const FormulationNote& f : formulations())
+    fmt::print("  {:<22} {}\n", f.name, f.description);
+}
+
+}  // namespace
+
+void add_case_options(CLI::App& verb, RequestOptions& o) {
+  verb.set_help_flag();  // our own, because CASE changes what it prints
+  verb.add_flag("-h,--help", o.help, "Print this help; with CASE also its parameters and laws");
+  verb.add_option("CASE", o.case_name, "Name of the case; see 'yoke list'");
+  verb.add_option("--set", o.settings, "Set a parameter: --set crank_length=50mm; repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  verb.add_option("--rtol", o.relative_tolerance, "Relative tolerance, 1e-13 to 1e-2")
+      ->type_name("X")
+      ->capture_default_str();
+  verb.add_option("--formulation", o.formulation, "How to integrate; see below or 'yoke list'")
+      ->type_name("NAME");
+  verb.add_option("--jobs", o.jobs, "Runs at a time; default: one per processor")->type_name("N");
+}
+
+void add_output_options(CLI::App& verb, RequestOptions& o) {
+  verb.add_option("-o,--output", o.output, "Folder for the results")->type_name("DIR");
+  verb.add_option("--law", o.laws, "Only this contact law; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
+}
+
+RunRequest make_request(const Case& c, const RequestOptions& o) {
+  if (o.samples < 2)
+    throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
+  if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
+    throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
+  if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
+  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return {.parameters = Parameters(c.parameters, o.settings),
+          .laws = choose_laws(c, o.laws),
+          .output = o.output.empty() ? c.default_output : std::filesystem::path(o.output),
+          .samples = o.samples,
+          .relative_tolerance = o.relative_tolerance,
+          .formulation = checked_formulation(o.formulation),
+          .plots = !o.no_plots,
+          .jobs = o.jobs > 0 ? o.jobs : processors};
+}
+
+int print_help(const CLI::App& verb, const RequestOptions& options) {
+  fmt::print("{}", verb.help("yoke"));
+  if (!options.case_name.empty()) {
+    print_case_help(find_case(options.case_name));
+    return exit_ok;
+  }
+  fmt::print("\nCases\n");
+  for (const Case& c : case_registry()) fmt::print("  {:<16} {}\n", c.name, c.description);
+  fmt::print("\n'yoke {} CASE --help' lists the parameters and laws of a case.\n", verb.get_name());
+  return exit_ok;
+}
+
+int exit_code(RunStatus status) {
+  switch (status) {
+    case RunStatus::completed:
+      return exit_ok;
+    case RunStatus::interrupted:
+      return exit_interrupted;
+    case RunStatus::failed:
+      break;
+  }
+  return exit_failed;
+}
+
+}  // namespace yoke::cases

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The command line of a verb that works on a case: CASE, --set, -o, --law, --samples, --rtol ...
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include <yoke/cases/case.hpp>
+
+namespace yoke::cases {
+
+/// The options as they were typed.
+struct RequestOptions {
+  std::string case_name;
+  std::vector<std::string> settings;
+  std::string output;
+  std::vector<std::string> laws;
+  int samples = 4001;
+  double relative_tolerance = 1e-10;
+  std::string formulation;
+  int jobs = 0;
+  bool no_plots = false;
+  bool help = false;
+};
+
+/// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
+void add_case_options(CLI::App& verb, RequestOptions& options);
+/// What a verb that writes results takes besides: -o, --law, --samples, --no-plots.
+void add_output_options(CLI::App& verb, RequestOptions& options);
+
+/// Checks everything that can be checked before the first step. Throws ModelError.
+RunRequest make_request(const Case& c, const RequestOptions& options);
+
+/// Help of the verb, with the parameters and laws of the case if one was named.
+int print_help(const CLI::App& verb, const RequestOptions& options);
+
+int exit_code(RunStatus status);
+
+}  // namespace yoke::cases

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A verb of the program: `yoke VERB ...`. Each lives in a file of its own, verb_NAME.cpp, and has
+// one line in yoke.cpp. It adds its subcommand to the parser and sets `action` to what shall happen
+// when the user has chosen it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace yoke::cases {
+
+/// Exit codes of the program.
+enum Exit : int { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_interrupted = 130 };
+
+/// What the program does once the command line is understood; returns the exit code.
+using Action = std::function<int()>;
+
+void add_run_verb(CLI::App& app, Action& action);
+void add_study_verb(CLI::App& app, Action& action);
+void add_list_verb(CLI::App& app, Action& action);
+
+}  // namespace yoke::cases

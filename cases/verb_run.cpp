@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// yoke run CASE: the job of a case, with its parameters set by name.
+#include <memory>
+
+#include <yoke/cases/request.hpp>
+#include <yoke/cases/verb.hpp>
+
+namespace yoke::cases {
+
+void add_run_verb(CLI::App& app, Action& action) {
+  CLI::App* verb = app.add_subcommand("run", "Run a case and write its results");
+  auto options = std::make_shared<RequestOptions>();
+  add_case_options(*verb, *options);
+  add_output_options(*verb, *options);
+  verb->callback([verb, options, &action] {
+    action = [verb, options] {
+      if (options->help) return print_help(*verb, *options);
+      const Case& c = find_case(options->case_name);
+      return exit_code(c.run(make_request(c, *options)));
+    };
+  });
+}
+
+}  // namespace yoke::cases

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A contact between two bodies a and b, whatever their shapes: the mechanics and the state machine.
+// From the geometry it takes, for each region, the penetration d(q), its gradient g and Hessian H
+// over (x, y, angle) of a and b; from the law F(d, d'):
+//   d' = g v           Q = -F g^T           dQ/dv = -F_r g^T g
+//   d'' = g a + v^T H v                     dQ/dq = -(F_d g^T g + F_r g^T (H v)^T) - F H
+// with F_d, F_r the derivatives of F by penetration and rate.
+//
+// The state machine. Between events the formula of one region is continued smoothly, whatever the
+// sign of d; transitions happen at located events only:
+//   apart        no force. `onset` when d of the nearest region crosses zero upwards.
+//   compressing  the law's force. `release` when d falls below zero, or, if the law says so, where
+//                the force would pull. `turn` at d' = 0, only if the law needs the end of
+//                compression.
+//   restituting  after `turn`, until `release` at the permanent set, or until a reload passes the
+//                largest penetration (`reload`), which is compression again.
+//   region       in contact, when the point of contact passes into the next region.
+//   failure      at 99 % of the largest penetration the elastic law is valid for.
+// Two kinds of "apart" have a memory, told apart by memory.release_penetration:
+//   dented       let go at a permanent set > 0: met again at that penetration, on the unloading
+//                line, until d falls below zero and all is forgotten.
+//   lifted       let go at zero force with d above the permanent set: the surface relaxes after the
+//                pin without a force. Its stored energy goes on falling with d, counted as
+//                dissipated (D = -dS/dt). The contact resumes where the law's force turns positive
+//                again, and ends for good at the permanent set.
+// Where two regions have different laws, the stored energy jumps from one law's to the other's as
+// the contact passes over; the jump is booked as dissipation (of either sign). So the energy ledger
+// closes through every transition.
+//
+// Rounding. At an event d is zero up to rounding, of either sign, and a function that starts on the
+// wrong side of zero never crosses it: a pin could pass through a wall, or stick to it. What
+// decides is whether the present rate carries d out of a band of +-touch_tolerance whatever the
+// acceleration does (`leaves_band`). If it does not, a contact that would begin does not yet, one
+// that lets go is apart all the same, and in both cases the next onset is put off until d has grown
+// by the tolerance: its function is then negative for certain, and a pressing load is caught 1e-11
+// m later. The same margin guards the ends of regions, reloads and the return from "lifted". So
+// nothing fires twice without a movement in between.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <yoke/contact/law.hpp>
+#include <yoke/core/force.hpp>
+
+namespace yoke {
+
+/// [m] Far above rounding of positions, far below any penetration: a steel pin bears 1e-4 N there.
+inline constexpr double touch_tolerance = 1e-11;
+
+/// One region at one state, over q = (x, y, angle) of body a and of body b.
+struct ContactKinematics {
+  static constexpr std::size_t columns = 6;
+  double penetration = 0.0;                         // [m] d, > 0 in contact
+  std::array<double, columns> gradient{};           // g = dd/dq
+  std::array<double, columns * columns> hessian{};  // H = dg/dq, row-major
+};
+
+/// Where a region is, or would be, touched.
+struct ContactPlace {
+  Vec2 point{0.0, 0.0};              // [m] on the wall, global frame
+  double tangential_velocity = 0.0;  // [m/s] of a's surface relative to b's, along perp(normal)
+  double wall_curvature = 0.0;       // [1/m] > 0 convex wall, < 0 concave
+};
+
+/// The shape of a contact, all a contact element asks of it. Regions are numbered from 0.
+class ContactGeometry {
+ public:
+  virtual ~ContactGeometry() = default;
+
+  /// Names of the regions as written to results; two may have the same.
+  virtual std::vector<std::string> region_names() const = 0;
+  /// The region nearest to being touched.
+  virtual int nearest(const Motion& motion) const = 0;
+  /// [m] d by the formula of the region, also beyond its range.
+  virtual double penetration(const Motion& motion, int region) const = 0;
+  /// Penetration and gradient, and the Hessian if wanted.
+  virtual void calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                               ContactKinematics& out) const = 0;
+  virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;
+  /// [m] crosses zero upwards where the region ends; about the distance beyond its end.
+  virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }
+  /// The region that begins there.
+  virtual int successor(const Motion& /*motion*/, int region) const { return region; }
+};
+
+class ContactElement final : public ForceElement {
+ public:
+  /// One law per region. `reference_force` [N] > 0 defines penetration_scale(). Throws ModelError.
+  ContactElement(std::string name, BodyId a, BodyId b,
+                 std::unique_ptr<const ContactGeometry> geometry, std::vector<ContactLaw> laws,
+                 double reference_force);
+
+  void evaluate(const ForceInput& in, const ForceRequest& out) const override;
+  bool dissipates() const override { return true; }
+
+  int contacts() const override { return 1; }
+  /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
+  /// A memory of contact is kept if the bodies are where it says: the run goes on from a snapshot.
+  void initialise_contacts(EventContext& context) const override;
+  /// The smallest penetration under the reference force among the regions' laws.
+  double penetration_scale() const override { return penetration_scale_; }
+
+  /// The event functions; see the head of this file. Those that do not apply are -1.
+  enum Event { onset, release, pull_off, turn, reload, forget, region_end, limit, event_count };
+  int events() const override { return event_count; }
+  void calc_events(const ForceInput& in, double* g) const override;
+  void handle_event(int event, EventContext& context) const override;
+
+  /// While apart: of the nearest region, region "apart", force 0.
+  std::vector<Channel> channels() const override;
+  void calc_channels(const ForceInput& in, double* values) const override;
+
+ private:
+  struct Approach {
+    double penetration, rate, acceleration;  // [m, m/s, m/s^2] d, d', d''
+    std::array<double, ContactKinematics::columns> gradient;
+  };
+
+  const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
+  std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
+  double rate(const ContactKinematics& k, const Motion& motion) const;
+  ContactOutput calc_law(const ForceInput& in, const ContactMemory& memory) const;
+  int watched_region(const Motion& motion, const ContactMemory& memory) const;
+  bool goes_on(const Motion& motion, const ContactMemory& memory) const;
+  Approach calc_approach(const EventContext& context, int region) const;
+
+  void calc_events_apart(const ForceInput& in, double* g) const;
+  void calc_events_in_contact(const ForceInput& in, double* g) const;
+  double calc_regain(const ForceInput& in, double penetration) const;
+
+  void handle_onset(EventContext& context) const;
+  void handle_release(EventContext& context, bool lifted) const;
+  void handle_turn(EventContext& context) const;
+  void handle_reload(EventContext& context) const;
+  void handle_forget(EventContext& context) const;
+  void handle_region_end(EventContext& context) const;
+  void begin(EventContext& context, int region, const Approach& now) const;
+  void end_compression(ContactMemory& memory, double penetration) const;
+  void check_limit(EventContext& context, int region, double penetration) const;
+  void record(EventContext& context, const char* kind, int region, const Approach& now) const;
+
+  BodyId a_, b_;
+  std::unique_ptr<const ContactGeometry> geometry_;
+  std::vector<ContactLaw> laws_;
+  std::vector<std::string> region_names_;
+  double penetration_scale_ = 0.0;
+};
+
+}  // namespace yoke

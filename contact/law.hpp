@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Contact laws as values: how hard two surfaces press, never what their shape was.
+//
+//   elastic part      F_e(d), dF_e/dd, U(d) = int F_e dd          d penetration [m], > 0 in contact
+//   dissipative part  F(d, d', memory; F_e), d' rate [m/s], > 0 while approaching
+//   ledger            F d' = dS/dt + D    at every instant, S [J] stored energy, D [W] dissipated
+//
+// Whoever writes a law inherits from nothing: an elastic law is anything callable with a
+// penetration, a dissipative law anything callable with (ContactInput, ElasticLaw). What a law
+// needs from the contact element it says by optional members, listed at ElasticLaw and
+// DissipativeLaw.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <yoke/core/contact_memory.hpp>
+
+namespace yoke {
+
+/// What an elastic law answers for one penetration.
+struct ElasticResponse {
+  double force = 0.0;      // [N], > 0 pushes apart
+  double stiffness = 0.0;  // [N/m] dforce/dpenetration
+  double energy = 0.0;     // [J] integral of the force from 0
+};
+
+template <class F>
+concept ElasticFunction = requires(const F& law, double penetration) {
+  { law(penetration) } -> std::convertible_to<ElasticResponse>;
+};
+
+/// An elastic law as a value; copies share one immutable object. Optional members of the function:
+///   double limit() const       largest penetration it is valid for [m]; default: none
+///   std::string name() const   for results and errors
+///   void check() const         throws ModelError if a parameter is wrong; called once, here
+class ElasticLaw {
+ public:
+  template <ElasticFunction F>
+  ElasticLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
+    limit_ = function_->limit();
+  }
+
+  /// Force, stiffness and energy at a penetration of either sign. Below zero it is the odd
+  /// extension -F_e(-d), which the integrators see only inside a step that ends at a located event;
+  /// so a law is never asked for a root of a negative number. Beyond the limit everything is NaN.
+  ElasticResponse response(double penetration) const {
+    const double size = std::abs(penetration);
+    if (size > limit_) return {not_a_number, not_a_number, not_a_number};
+    ElasticResponse r = function_->respond(size);
+    if (penetration < 0.0) r.force = -r.force;
+    return r;
+  }
+
+  double limit() const { return limit_; }  ///< [m], infinite if the law has none
+  std::string name() const { return function_->name(); }
+
+  /// Inverse of the law: the penetration [m] under `force` [N] >= 0; the limit, or the largest
+  /// penetration tried (1 km), if the law does not reach that force.
+  double penetration_at(double force) const;
+
+ private:
+  static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+  struct Function {
+    virtual ~Function() = default;
+    virtual ElasticResponse respond(double penetration) const = 0;
+    virtual double limit() const = 0;
+    virtual std::string name() const = 0;
+  };
+
+  template <class F>
+  struct Holder final : Function {
+    explicit Holder(F given) : law(std::move(given)) {
+      if constexpr (requires { law.check(); }) law.check();
+    }
+    ElasticResponse respond(double penetration) const override { return law(penetration); }
+    double limit() const override {
+      if constexpr (requires { law.limit(); })
+        return law.limit();
+      else
+        return std::numeric_limits<double>::infinity();
+    }
+    std::string name() const override {
+      if constexpr (requires { law.name(); })
+        return law.name();
+      else
+        return "elastic law";
+    }
+    F law;
+  };
+
+  std::shared_ptr<const Function> function_;
+  double limit_ = 0.0;
+};
+
+/// What a contact law is asked.
+struct ContactInput {
+  double penetration;           // [m]
+  double rate;                  // [m/s]
+  const ContactMemory& memory;  // phase, approach velocity, effective mass, largest penetration ...
+};
+
+/// What it answers.
+struct ContactOutput {
+  double force = 0.0;                // [N], > 0 pushes apart
+  double dforce_dpenetration = 0.0;  // [N/m]
+  double dforce_drate = 0.0;         // [N s/m]
+  double stored_energy = 0.0;        // [J] what the contact would give back if it unloaded now
+  double dissipated_power = 0.0;  // [W] force * rate - d(stored energy)/dt, from the law's formula
+};
+
+/// When a contact lets go, beside reaching its permanent set (zero for most laws).
+enum class Release {
+  at_zero_force,        ///< as soon as the force would pull: contacts do not stick (default)
+  at_zero_penetration,  ///< a tensile phase is part of the law and kept
+};
+
+template <class F>
+concept DissipativeFunction = requires(const F& law, const ContactInput& input,
+                                       const ElasticLaw& elastic) {
+  { law(input, elastic) } -> std::convertible_to<ContactOutput>;
+};
+
+/// A dissipative law as a value; copies share one immutable object. Optional members of the
+/// function:
+///   bool needs_largest_penetration() const
+///       the end of compression is located and written to memory.largest_penetration; the phase is
+///       `compressing` until then, `restituting` after it, and `compressing` again when a reload
+///       passes the largest penetration. Without it the phase is `compressing` until release.
+///   double permanent_set(const ContactMemory&, const ElasticLaw&) const
+///       [m], computed at the end of compression (implies the former); the contact lets go there,
+///       and is met there again by a reload until the surfaces have been apart.
+///   Release release() const
+///   std::string name() const, void check() const     as for ElasticLaw
+class DissipativeLaw {
+ public:
+  /// No dissipation.
+  DissipativeLaw() = default;
+
+  template <DissipativeFunction F>
+  DissipativeLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
+    needs_largest_penetration_ = function_->needs_largest_penetration();
+    release_ = function_->release();
+  }
+
+  ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const {
+    if (function_) return function_->evaluate(in, elastic);
+    const ElasticResponse e = elastic.response(in.penetration);
+    return {.force = e.force, .dforce_dpenetration = e.stiffness, .stored_energy = e.energy};
+  }
+
+  bool needs_largest_penetration() const { return needs_largest_penetration_; }
+  Release release() const { return release_; }
+  double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const {
+    return function_ ? function_->permanent_set(memory, elastic) : 0.0;
+  }
+  bool none() const { return !function_; }
+  std::string name() const { return function_ ? function_->name() : "none"; }
+
+ private:
+  struct Function {
+    virtual ~Function() = default;
+    virtual ContactOutput evaluate(const ContactInput&, const ElasticLaw&) const = 0;
+    virtual bool needs_largest_penetration() const = 0;
+    virtual Release release() const = 0;
+    virtual double permanent_set(const ContactMemory&, const ElasticLaw&) const = 0;
+    virtual std::string name() const = 0;
+  };
+
+  template <class F>
+  struct Holder final : Function {
+    explicit Holder(F given) : law(std::move(given)) {
+      if constexpr (requires { law.check(); }) law.check();
+    }
+    ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const override {
+      return law(in, elastic);
+    }
+    bool needs_largest_penetration() const override {
+      if constexpr (requires { law.needs_largest_penetration(); })
+        return law.needs_largest_penetration();
+      else
+        return has_permanent_set;
+    }
+    Release release() const override {
+      if constexpr (requires { law.release(); })
+        return law.release();
+      else
+        return Release::at_zero_force;
+    }
+    double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const override {
+      if constexpr (has_permanent_set)
+        return law.permanent_set(memory, elastic);
+      else
+        return 0.0;
+    }
+    std::string name() const override {
+      if constexpr (requires { law.name(); })
+        return law.name();
+      else
+        return "dissipative law";
+    }
+    static constexpr bool has_permanent_set =
+        requires(const F& f, const ContactMemory& m, const ElasticLaw& e) {
+      { f.permanent_set(m, e) } -> std::convertible_to<double>;
+    };
+    F law;
+  };
+
+  std::shared_ptr<const Function> function_;
+  bool needs_largest_penetration_ = false;
+  Release release_ = Release::at_zero_force;
+};
+
+/// How two surfaces push each other: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}.
+struct ContactLaw {
+  ElasticLaw elastic;
+  DissipativeLaw dissipation{};
+
+  ContactOutput evaluate(const ContactInput& in) const { return dissipation.evaluate(in, elastic); }
+  double penetration_limit() const { return elastic.limit(); }  ///< [m]
+  std::string name() const;
+};
+
+/// F = F_e (1 + chi d'), chi [s/m] constant during a contact: the form of most published laws,
+/// which differ in chi only. S = U and D = chi F_e d'^2. The factor is not clamped; in a free
+/// impact it stays positive, and if a third body pulls the surfaces apart faster than 1/chi the
+/// contact element lets go where the force reaches zero.
+inline ContactOutput damped_in_proportion(const ElasticResponse& e, double chi, double rate) {
+  const double factor = 1.0 + chi * rate;
+  return {.force = e.force * factor,
+          .dforce_dpenetration = e.stiffness * factor,
+          .dforce_drate = chi * e.force,
+          .stored_energy = e.energy,
+          .dissipated_power = chi * e.force * rate * rate};
+}
+
+}  // namespace yoke

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What two cylinders in contact are made of and how they lie: the inputs of the laws that are
+// derived from elasticity.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace yoke {
+
+struct Material {
+  double E = 0.0;   // [Pa] Young's modulus, > 0
+  double nu = 0.0;  // Poisson's ratio, -1 < nu <= 0.5
+  std::string name = "material";
+};
+
+// The values the paper's tables were made with.
+inline const Material steel{207e9, 0.3, "steel"};
+inline const Material aluminium{70e9, 0.33, "aluminium"};
+
+/// Composite modulus E* [Pa]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No pi in it. Throws
+/// ModelError.
+double composite_modulus(const Material& first, const Material& second);
+
+/// The pin touches a convex wall from outside, or a concave wall (a bore) from inside.
+enum class Conformity { external, internal };
+
+/// A round pin on a round wall.
+struct RoundPair {
+  double pin_radius = 0.0;   // [m], > 0
+  double wall_radius = 0.0;  // [m], > 0; internal: greater than pin_radius
+  Conformity conformity = Conformity::external;
+  Material pin = steel;
+  Material wall = steel;
+
+  /// Throws ModelError that names the law and the parameter.
+  void check(std::string_view law) const;
+  double modulus() const { return composite_modulus(pin, wall); }  ///< [Pa] E*
+  /// [m] Delta R: sum of the radii (external) or wall minus pin (internal).
+  double radius_difference() const;
+  /// [m] R = R_pin R_wall / Delta R.
+  double relative_radius() const { return pin_radius * wall_radius / radius_difference(); }
+};
+
+}  // namespace yoke

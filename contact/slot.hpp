@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The shape of a slot: a centreline, a half-width and two end caps. A pin of radius r_p whose
+// centre p is at distance D from the centreline penetrates the wall by
+//   d = D - (h - r_p),   h half-width [m].
+// A new shape is one new file with a profile (see SlotProfile); arc_slot.hpp is the first.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <yoke/core/types.hpp>
+
+namespace yoke {
+
+/// What a pin can touch. `inner` is the wall on the side of the centre of curvature.
+enum class SlotRegion { inner, outer, cap_start, cap_end };
+
+/// As written to results: "inner", "outer", "cap".
+std::string_view region_name(SlotRegion region);
+
+/// Where the pin's centre is relative to one region.
+struct Touch {
+  int region = 0;
+  double distance = 0.0;  // [m] D, from the centreline (a cap: from its centre) towards the wall
+  Vec2 normal{1.0, 0.0};  // unit gradient of D: towards the wall, the way the pin penetrates
+  double bend = 0.0;      // [1/m] Hessian of D = bend * t t^T, t = perp(normal)
+  /// [1/m] of the wall, > 0 convex as the pin sees it (contact from outside), < 0 concave (a bore).
+  double wall_curvature = 0.0;
+};
+
+/// A shape in a frame of its own. It has numbered regions, each with a formula that is smooth and
+/// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
+/// its gradient agree.
+template <class P>
+concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
+                               std::string_view owner) {
+  { profile.half_width() } -> std::convertible_to<double>;
+  /// What each region is, by its number.
+  { profile.regions() } -> std::convertible_to<std::vector<SlotRegion>>;
+  { profile.touch(region, p) } -> std::convertible_to<Touch>;
+  /// The region whose wall is nearest to p.
+  { profile.nearest(p) } -> std::convertible_to<int>;
+  /// [m] where the region ends: < 0 inside, > 0 beyond, about the distance along the slot.
+  { profile.boundary(region, p) } -> std::convertible_to<double>;
+  /// The region on the other side of the boundary nearest to p.
+  { profile.successor(region, p) } -> std::convertible_to<int>;
+  /// Throws ModelError, whose message begins with the owner, if a dimension is wrong.
+  {profile.check(owner)};
+};
+
+/// A profile put somewhere: its origin at `origin`, its x axis turned by `angle`, in global axes of
+/// the start pose. A value; copies share one immutable profile.
+class Slot {
+ public:
+  template <SlotProfile P>
+  Slot(P profile, const Vec2& origin, double angle)
+      : profile_(std::make_shared<const Holder<P>>(std::move(profile))),
+        origin_(origin),
+        angle_(angle) {}
+
+  // Not inline: GCC 12 would warn of an uninitialised pointer where a user writes a slot into a
+  // braced description and a later member of it may throw.
+  Slot(const Slot&);
+  Slot(Slot&&) noexcept;
+  Slot& operator=(const Slot&);
+  Slot& operator=(Slot&&) noexcept;
+  ~Slot();
+
+  const Vec2& origin() const { return origin_; }  ///< [m]
+  double angle() const { return angle_; }         ///< [rad]
+
+  // The profile's functions; p is in the profile's frame [m].
+  double half_width() const { return profile_->half_width(); }
+  std::vector<SlotRegion> regions() const { return profile_->regions(); }
+  Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
+  int nearest(const Vec2& p) const { return profile_->nearest(p); }
+  double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
+  int successor(int region, const Vec2& p) const { return profile_->successor(region, p); }
+
+  /// Throws ModelError if a dimension is wrong or a pin of this radius [m] has no room.
+  void check(std::string_view owner, double pin_radius) const;
+
+ private:
+  struct Profile {
+    virtual ~Profile() = default;
+    virtual double half_width() const = 0;
+    virtual std::vector<SlotRegion> regions() const = 0;
+    virtual Touch touch(int region, const Vec2& p) const = 0;
+    virtual int nearest(const Vec2& p) const = 0;
+    virtual double boundary(int region, const Vec2& p) const = 0;
+    virtual int successor(int region, const Vec2& p) const = 0;
+    virtual void check(std::string_view owner) const = 0;
+  };
+
+  template <class P>
+  struct Holder final : Profile {
+    explicit Holder(P given) : profile(std::move(given)) {}
+    double half_width() const override { return profile.half_width(); }
+    std::vector<SlotRegion> regions() const override { return profile.regions(); }
+    Touch touch(int region, const Vec2& p) const override { return profile.touch(region, p); }
+    int nearest(const Vec2& p) const override { return profile.nearest(p); }
+    double boundary(int region, const Vec2& p) const override {
+      return profile.boundary(region, p);
+    }
+    int successor(int region, const Vec2& p) const override { return profile.successor(region, p); }
+    void check(std::string_view owner) const override { profile.check(owner); }
+    P profile;
+  };
+
+  std::shared_ptr<const Profile> profile_;
+  Vec2 origin_;
+  double angle_ = 0.0;
+};
+
+}  // namespace yoke

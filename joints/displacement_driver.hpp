@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A point of a body is moved along a direction fixed in another body as a function of time.
+//
+//   u = A(theta_L) along                  unit direction, fixed in L = relative_to
+//   Phi = u . (p - from) - f(t) = 0 [m], row displacement;   p point of the body, `from` carried by
+//   L G, H, K: see projection.hpp;  Phi_t = -f';  gamma = that of projection.hpp + f'' force on the
+//   body = -lambda u [N] at p, the opposite on L; the drive supplies -lambda f' [W]
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <yoke/core/model.hpp>
+#include <yoke/core/time_function.hpp>
+
+namespace yoke {
+
+struct DisplacementDriver {
+  std::string name;
+  BodyId body;
+  Vec2 at{0.0, 0.0};     // [m] the driven point, global, in the start pose
+  Vec2 along{1.0, 0.0};  // global, in the start pose; any length but 0
+  BodyId relative_to = ground;
+  /// [m] where f = 0 is, global, in the start pose; default: at. So f counts from the start pose
+  /// unless told otherwise; with from = {0, 0} on the ground it is the coordinate itself.
+  std::optional<Vec2> from{};
+  TimeFunction displacement{};  // f [m]
+
+  std::unique_ptr<Constraint> build(const Model& model) const;
+};
+
+}  // namespace yoke

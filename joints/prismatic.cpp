@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/joints/prismatic.hpp>
+
+#include <yoke/joints/checks.hpp>
+#include <yoke/joints/projection.hpp>
+
+namespace yoke {
+namespace {
+
+struct Geometry {
+  Vec2 n_a;           // unit normal in axes of a
+  Vec2 s_b;           // [m] the point in axes of b
+  double offset;      // [m] coordinate of the point along n in the start pose
+  double difference;  // [rad] theta_b - theta_a in the start pose
+};
+
+std::vector<bool> prismatic_pattern(const Prismatic& p, const Geometry& g) {
+  std::vector<bool> pattern{false, false, true, false, false, true};
+  const std::vector<bool> transverse = Projection::pattern(p.a, g.n_a, g.s_b, 0, 3);
+  pattern.insert(pattern.end(), transverse.begin(), transverse.end());
+  return pattern;
+}
+
+class PrismaticConstraint final : public Constraint {
+ public:
+  PrismaticConstraint(const Prismatic& p, const Geometry& g)
+      : Constraint(p.name, {p.a, p.b},
+                   {{"rotation", Measure::angle}, {"transverse", Measure::length}},
+                   prismatic_pattern(p, g)),
+        a_(p.a),
+        b_(p.b),
+        g_(g) {}
+
+  void evaluate(const Motion& motion, const ConstraintRequest& out) const override {
+    const BodyMotion& a = motion[a_];
+    const BodyMotion& b = motion[b_];
+    const Projection across(a, g_.n_a, b, g_.s_b);
+    if (out.phi != nullptr) {
+      out.phi[0] = b.angle - a.angle - g_.difference;
+      out.phi[1] = across.coordinate() - g_.offset;
+    }
+    if (out.G != nullptr) {
+      out.G[2] = -1.0, out.G[5] = 1.0;
+      across.write_G(out.G + 6, 0, 3);
+    }
+    if (out.phi_t != nullptr) out.phi_t[0] = out.phi_t[1] = 0.0;
+    if (out.gamma != nullptr) {
+      out.gamma[0] = 0.0;
+      out.gamma[1] = across.gamma();
+    }
+    if (out.H != nullptr) {
+      out.H[2] = out.H[5] = 0.0;
+      across.write_H(out.H + 6, 0, 3);
+    }
+    if (out.K != nullptr) across.write_K(out.lambda[1], out.K, 0, 3);
+  }
+
+  Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(g_.s_b); }
+
+ private:
+  BodyId a_, b_;
+  Geometry g_;
+};
+
+}  // namespace
+
+std::unique_ptr<Constraint> Prismatic::build(const Model& model) const {
+  const std::string owner = element_name("prismatic", name);
+  require_different_bodies(owner, model, {{"a", a}, {"b", b}});
+  const Vec2 n = perp(unit_direction(owner, "along", along));
+  const Pose pose_a = model.body(a).pose, pose_b = model.body(b).pose;
+  const Vec2 point = at.value_or(b == ground ? pose_a.position : pose_b.position);
+  require_finite_vector(owner, "at", point);
+  return std::make_unique<PrismaticConstraint>(*this,
+                                               Geometry{.n_a = model.direction_to_local(a, n),
+                                                        .s_b = model.to_local(b, point),
+                                                        .offset = n.dot(point - pose_a.position),
+                                                        .difference = pose_b.angle - pose_a.angle});
+}
+
+}  // namespace yoke

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/joints/revolute.hpp>
+
+#include <yoke/joints/checks.hpp>
+#include <yoke/joints/point_pair.hpp>
+
+namespace yoke {
+namespace {
+
+class RevoluteConstraint final : public Constraint {
+ public:
+  RevoluteConstraint(const Revolute& r, const Vec2& s_a, const Vec2& s_b)
+      : Constraint(r.name, {r.a, r.b}, {{"x", Measure::length}, {"y", Measure::length}},
+                   PointPair::pattern(s_a, s_b)),
+        a_(r.a),
+        b_(r.b),
+        s_a_(s_a),
+        s_b_(s_b) {}
+
+  void evaluate(const Motion& motion, const ConstraintRequest& out) const override {
+    const PointPair pair(motion[a_], s_a_, motion[b_], s_b_);
+    if (out.phi != nullptr) pair.write_phi(out.phi);
+    if (out.G != nullptr) pair.write_G(out.G);
+    if (out.phi_t != nullptr) out.phi_t[0] = out.phi_t[1] = 0.0;
+    if (out.gamma != nullptr) pair.write_gamma(out.gamma);
+    if (out.H != nullptr) pair.write_H(out.H);
+    if (out.K != nullptr) pair.write_K(out.lambda, out.K);
+  }
+
+  Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(s_b_); }
+
+ private:
+  BodyId a_, b_;
+  Vec2 s_a_, s_b_;  // [m] the pin in body axes
+};
+
+}  // namespace
+
+std::unique_ptr<Constraint> Revolute::build(const Model& model) const {
+  const std::string owner = element_name("revolute", name);
+  require_different_bodies(owner, model, {{"a", a}, {"b", b}});
+  require_finite_vector(owner, "at", at);
+  return std::make_unique<RevoluteConstraint>(*this, model.to_local(a, at), model.to_local(b, at));
+}
+
+}  // namespace yoke

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The yoke program as a user meets it: what it writes, what it says, how it ends.
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+extern char** environ;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, removed at the end.
+struct Scratch {
+  fs::path path;
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "yoke-test-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> lines(const fs::path& path) {
+  std::vector<std::string> all;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) all.push_back(line);
+  return all;
+}
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> all;
+  std::stringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) all.push_back(cell);
+  return all;
+}
+
+struct Outcome {
+  int code = -1;
+  std::string out;  // both streams
+};
+
+pid_t start(const std::string& command) {
+  std::string shell = "sh", flag = "-c", text = command;
+  char* arguments[] = {shell.data(), flag.data(), text.data(), nullptr};
+  pid_t child = 0;
+  REQUIRE(posix_spawnp(&child, "sh", nullptr, nullptr, arguments, environ) == 0);
+  return child;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+const std::string program = "exec '" YOKE_BINARY_DIR "/yoke'";
+
+/// Runs the program in a folder; `before` is shell code.
+Outcome yoke(const Scratch& scratch, const std::string& arguments, const std::string& before = "") {
+  const fs::path log = scratch.path / "log";
+  const int code = wait_for(start("cd '" + scratch.path.string() + "'; " + before + program + " " +
+                                  arguments + " >'" + log.string() + "' 2>&1"));
+  return {code, content(log)};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Whole rows only, as many cells in each as in the header. Returns the number of rows.
+std::size_t check_rows(const fs::path& path) {
+  const std::string text = content(path);
+  REQUIRE(!text.empty());
+  CHECK(text.back() == '\n');
+  const std::vector<std::string> all = lines(path);
+  const std::size_t columns = cells(all.front()).size();
+  for (const std::string& line : all) CHECK(cells(line).size() == columns);
+  return all.size() - 1;
+}
+
+TEST_SUITE("program") {
+  TEST_CASE("a short run writes the files and columns that scripts rely on") {
+    const Scratch scratch;
+    const Outcome run = yoke(scratch,
+                             "run scotch_yoke -o out --samples 101 --law johnson --no-plots "
+                             "--law table11-goldsmith --set revolutions=0.25");
+    CHECK(run.code == 0);
+    CHECK(contains(run.out, "out/LAW/{motion.csv,events.csv,summary.json}"));
+    for (const char* law : {"johnson", "table11-goldsmith"}) {
+      const fs::path folder = scratch.path / "out" / law;
+      CHECK(check_rows(folder / "motion.csv") == 101);
+      const std::vector<std::string> header = cells(lines(folder / "motion.csv").front());
+      for (const char* column :
+           {"t_s", "crank_angle_rad", "slider_x_m", "slider_v_m_per_s", "slider_a_m_per_s2",
+            "penetration_m", "penetration_rate_m_per_s", "normal_force_N", "region", "pivot_fx_N",
+            "guide_fy_N", "motor_torque_N_m", "kinetic_J", "stored_J", "dissipated_J", "work_J"})
+        CHECK_MESSAGE(std::ranges::find(header, column) != header.end(), column);
+      const std::vector<std::string> last = cells(lines(folder / "motion.csv").back());
+      CHECK(std::stod(last[0]) == 0.25 / 12.0);
+
+      CHECK(lines(folder / "events.csv").front().starts_with("t_s,kind,region,speed_m_per_s"));
+      CHECK(check_rows(folder / "events.csv") > 3);
+      CHECK(cells(lines(folder / "events.csv")[1])[1] == "onset");
+
+      const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
+      CHECK(summary["law"] == law);
+      CHECK(summary["parameters"]["revolutions"] == "0.25");
+      CHECK(summary["stop"] == "completed");
+      CHECK(summary["samples"] == 101);
+      for (const char* key : {"steps", "evaluations", "factorisations", "events", "peak_force_N",
+                              "worst_constraint_violation_m", "energy_balance_J", "wall_time_s"})
+        CHECK_MESSAGE(summary[key].is_number(), key);
+      CHECK(summary["worst_constraint_violation_m"] < 1e-10);
+    }
+  }
+
+  TEST_CASE("the same run gives the same bytes, on one thread or two") {
+    const Scratch scratch;
+    const std::string run = "run scotch_yoke --samples 201 --set revolutions=0.3 --no-plots -o ";
+    CHECK(yoke(scratch, run + "one --jobs 1").code == 0);
+    CHECK(yoke(scratch, run + "two --jobs 2").code == 0);
+    for (const char* law : {"table11-lankarani-nikravesh", "johnson-10mm"})
+      for (const char* file : {"motion.csv", "events.csv"})
+        CHECK(content(scratch.path / "one" / law / file) ==
+              content(scratch.path / "two" / law / file));
+  }
+
+  TEST_CASE("plots are drawn, or their absence is explained") {
+    const Scratch scratch;
+    const std::string run = "run scotch_yoke -o out --set revolutions=1 --law table11-johnson";
+    const bool gnuplot = std::system("command -v gnuplot >/dev/null") == 0;
+    if (gnuplot) {
+      const Outcome drawn = yoke(scratch, run);
+      CHECK_MESSAGE(drawn.code == 0, drawn.out);
+      for (const char* name :
+           {"figure11", "figure12", "figure13", "figure14", "figure15", "figure16", "mechanism"})
+        for (const char* kind : {".png", ".svg", ".gp"})
+          CHECK_MESSAGE(
+              fs::file_size(scratch.path / "out/plots" / (std::string(name) + kind)) > 500, name);
+      CHECK(!contains(drawn.out, "failed"));
+    }
+    const Outcome without = yoke(scratch, run, "PATH=/nowhere; ");
+    CHECK(without.code == 0);
+    CHECK(contains(without.out, "gnuplot is not installed"));
+    CHECK(contains(without.out, "apt-get install gnuplot-nox"));
+  }
+
+  TEST_CASE("help, list and version") {
+    const Scratch scratch;
+    const Outcome help = yoke(scratch, "run scotch_yoke --help");
+    CHECK(help.code == 0);
+    for (const char* text : {"crank_length", "default 45mm; 1 mm to 51.9 mm; units mm, cm, m, um",
+                             "slider_start", "table11-esdu-78035", "arkode-projection", "--rtol"})
+      CHECK_MESSAGE(contains(help.out, text), text);
+    const Outcome verb = yoke(scratch, "run --help");
+    CHECK(verb.code == 0);
+    CHECK(contains(verb.out, "scotch_yoke"));
+    const Outcome list = yoke(scratch, "list");
+    CHECK(list.code == 0);
+    CHECK(contains(list.out, "table11-johnson-10mm"));
+    CHECK(yoke(scratch, "--version").out.starts_with("yoke 0."));
+  }
+
+  TEST_CASE("mistakes on the command line are explained and end with a failure") {
+    const Scratch scratch;
+    const auto message = [&](const std::string& arguments) {
+      const Outcome outcome = yoke(scratch, arguments);
+      CHECK_MESSAGE(outcome.code != 0, arguments);
+      CHECK_MESSAGE(outcome.out.starts_with("yoke: "), outcome.out);
+      return outcome.out;
+    };
+    CHECK(contains(message("run"), "which case? There are 'scotch_yoke'"));
+    CHECK(contains(message("run scotch"), "did you mean 'scotch_yoke'?"));
+    CHECK(contains(message("run scotch_yoke --set crank_length=45"), "has no unit"));
+    CHECK(contains(message("run scotch_yoke --law hertz"), "unknown law 'hertz'"));
+    CHECK(contains(message("run scotch_yoke --formulation ida"), "did you mean 'ida-ggl'?"));
+    CHECK(contains(message("run scotch_yoke --rtol 1"), "accepted is 1e-13 to 1e-2"));
+    CHECK(contains(message("run scotch_yoke --rtol nan"), "accepted is 1e-13 to 1e-2"));
+    CHECK(contains(message("run scotch_yoke --samples 1"), "at least 2 are needed"));
+    CHECK(contains(message("run scotch_yoke --wrong"), "--wrong"));
+    CHECK(contains(message("runn"), "yoke --help"));
+  }
+
+  TEST_CASE("a folder that cannot be written is named before anything runs") {
+    const Scratch scratch;
+    const Outcome file = yoke(scratch, "run scotch_yoke -o taken/out", "touch taken; ");
+    CHECK(file.code == 1);
+    CHECK(contains(file.out, "cannot make the output folder 'taken/out'"));
+    if (geteuid() != 0) {
+      const Outcome locked =
+          yoke(scratch, "run scotch_yoke -o locked", "mkdir locked; chmod a-w locked; ");
+      CHECK(locked.code == 1);
+      CHECK(contains(locked.out, "cannot write into the output folder 'locked'"));
+    }
+  }
+
+  TEST_CASE("Ctrl-C leaves what was computed, readable") {
+    const Scratch scratch;
+    const fs::path log = scratch.path / "log";
+    const pid_t child = start("cd '" + scratch.path.string() + "'; " + program +
+                              " run scotch_yoke -o out --set revolutions=2000 --samples 20001 "
+                              "--law table11-johnson --law johnson >'" +
+                              log.string() + "' 2>&1");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    kill(child, SIGINT);
+    CHECK(wait_for(child) == 130);
+    CHECK(contains(content(log), "interrupted at t = "));
+    const fs::path folder = scratch.path / "out" / "table11-johnson";
+    const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
+    CHECK(summary["stop"] == "interrupted");
+    const std::size_t rows = check_rows(folder / "motion.csv");
+    CHECK(rows > 1);
+    CHECK(rows < 20001);
+    CHECK(summary["samples"] == rows);
+    CHECK(check_rows(folder / "events.csv") > 3);
+  }
+
+  // A limit on the size of files acts as a full disk does.
+  TEST_CASE("a full disk leaves whole rows and is reported") {
+    const Scratch scratch;
+    const Outcome full =
+        yoke(scratch, "run scotch_yoke -o out --law johnson --no-plots", "ulimit -f 200; ");
+    CHECK(full.code == 1);
+    CHECK(contains(full.out, "cannot write 'out/johnson/motion.csv': "));
+    const fs::path folder = scratch.path / "out" / "johnson";
+    CHECK(nlohmann::json::parse(content(folder / "summary.json"))["stop"] == "completed");
+    const std::size_t rows = check_rows(folder / "motion.csv");
+    CHECK(rows > 100);
+    CHECK(rows < 4001);
+  }
+}
+
+}  // namespace

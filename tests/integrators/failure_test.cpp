@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+
+#include <yoke/joints/applied_force.hpp>
+#include <yoke/joints/distance.hpp>
+#include <yoke/tests/integrators/mechanisms.hpp>
+
+namespace {
+
+using namespace yoke;
+using namespace yoke::tests;
+
+std::string message_of(const Model& model, const SimulationOptions& options) {
+  try {
+    simulate(model, options);
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("options out of range are refused with name, value and range") {
+  const Model model = double_pendulum();
+  CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = 1e-15}),
+                 "relative_tolerance = 1e-15  is outside the accepted range 1e-13 to 0.01"));
+  CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = std::nan("")}),
+                 "relative_tolerance = nan"));
+  CHECK(contains(message_of(model, {.until = -1.0}), "until = -1 s must be later than the start"));
+  CHECK(contains(message_of(model, {.until = 1.0, .samples = 1}), "samples = 1"));
+  const std::string unknown = message_of(model, {.until = 1.0, .formulation = "newmark"});
+  CHECK(contains(unknown, "unknown formulation 'newmark'"));
+  CHECK(contains(unknown, "'ida-ggl'"));
+}
+
+TEST_CASE("a start pose that cannot be assembled names the equation and the residual") {
+  Model m;
+  const auto a = m.add(Body{.name = "a", .mass = 1.0, .inertia = 0.1});
+  // Two points of one body cannot be 2 m apart if they are 1 m apart on the body.
+  m.add(Revolute{.name = "pivot", .a = ground, .b = a, .at = {0.0, 0.0}});
+  m.add(Distance{
+      .name = "rope", .a = ground, .b = a, .at_a = {5.0, 0.0}, .at_b = {0.0, 1.0}, .length = 9.0});
+  const std::string message = message_of(m, {.until = 1.0});
+  CHECK(contains(message, "the start pose cannot be assembled"));
+  CHECK((contains(message, "rope") || contains(message, "pivot")));
+}
+
+TEST_CASE("a driver in conflict with a joint is refused by name") {
+  Model m = double_pendulum();
+  m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = constant_speed(0.0, 3.0)});
+  m.add(AngleDriver{
+      .name = "second motor", .body = m.find_body("a"), .angle = constant_speed(0.0, 4.0)});
+  const std::string message = message_of(m, {.until = 1.0});
+  CHECK(contains(message, "redundant or in conflict"));
+  CHECK(contains(message, "motor"));
+}
+
+TEST_CASE("a force that returns NaN at the start is refused, later it ends the run with results") {
+  const auto pushed = [](double t_bad) {
+    Model m = double_pendulum();
+    m.add(AppliedForce{.name = "broken",
+                       .body = m.find_body("b"),
+                       .at = {1.5, 0.0},
+                       .force = [t_bad](double t) -> Vec2 {
+                         const double nan = std::numeric_limits<double>::quiet_NaN();
+                         return {t < t_bad ? 0.1 : nan, 0.0};
+                       }});
+    return m;
+  };
+  CHECK_THROWS_WITH_AS(
+      pushed(-1.0), "applied force 'broken': force at t = 0 = (nan, 0) must have finite components",
+      ModelError);
+  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+    INFO(formulation);
+    const Result run = simulate(pushed(0.5), {.until = 1.0, .formulation = formulation});
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK(contains(run.summary.reason, "'broken' gives a value that is not finite"));
+    CHECK(contains(run.summary.reason, "t = 0."));
+    CHECK(run.summary.t_end == doctest::Approx(0.5).epsilon(2e-2));
+    CHECK(run.samples.rows() > 450);
+    for (std::size_t i = 0; i < run.samples.rows(); ++i)
+      for (std::size_t j = 0; j < run.samples.names().size(); ++j)
+        REQUIRE(std::isfinite(run.samples.value(i, j)));
+  }
+}
+
+TEST_CASE("an observer stops the run and keeps what was computed") {
+  const Result run =
+      simulate(double_pendulum(),
+               {.until = 1.0, .observer = [](const Progress& p) { return p.fraction < 0.4; }});
+  CHECK(run.summary.stop == Stop::interrupted);
+  CHECK(run.summary.t_end >= 0.4);
+  CHECK(run.summary.t_end < 0.5);
+  CHECK(run.samples.rows() >= 400);
+}
