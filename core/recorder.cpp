@@ -37,15 +37,14 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
     table.add_column(c.element->name() + ".fy", "N");
     table.add_column(c.element->name() + ".moment", "N_m");
   }
-  std::size_t channels = 0;
   for (const ForceSlot& f : system.forces()) {
     for (const Channel& z : f.element->states())
       table.add_column(f.element->name() + "." + z.name, z.unit);
-    for (const Channel& c : f.element->channels())
+    const std::vector<Channel> channels = f.element->channels();
+    for (const Channel& c : channels)
       table.add_column(f.element->name() + "." + c.name, c.unit, c.labels);
-    channels = std::max(channels, f.element->channels().size());
+    channels_.push_back(channels.size());
   }
-  channels_.resize(channels);
   for (const std::string& name : system.quadrature_names()) {
     table.add_column(name, "J");
     is_work_.push_back(name.ends_with(".work"));
@@ -102,13 +101,13 @@ double* Recorder::record_reactions(const State& state, double* row) const {
 }
 
 double* Recorder::record_channels(double* row) const {
-  for (const ForceSlot& f : dynamics_.system().forces()) {
-    const ForceInput input = dynamics_.system().force_input(f);
-    row = std::copy_n(input.z, f.states, row);
-    const std::size_t count = f.element->channels().size();
-    if (count == 0) continue;
-    f.element->calc_channels(input, row);
-    row += count;
+  const auto forces = dynamics_.system().forces();
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const ForceInput input = dynamics_.system().force_input(forces[i]);
+    row = std::copy_n(input.z, forces[i].states, row);
+    if (channels_[i] == 0) continue;
+    forces[i].element->calc_channels(input, row);
+    row += channels_[i];
   }
   return row;
 }
