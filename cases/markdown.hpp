@@ -33,6 +33,8 @@ class Document {
     print("\n**{}.** {}\n", outcome, text);
     verdicts_.push_back({std::move(statement), std::move(outcome)});
   }
+  /// The document as it is, without a table of verdicts.
+  const std::string& plain() const { return text_; }
   /// The document, with the verdicts after its front matter.
   std::string text(const std::string& front) {
     const std::string body = std::exchange(text_, "");

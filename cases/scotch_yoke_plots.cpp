@@ -410,12 +410,13 @@ std::string plot_scotch_yoke(const ScotchYoke& choices, const std::vector<LawRun
   write_frames(runs.front(), choices, folder);
 
   std::vector<Figure> figures{mechanism_figure(choices), animation()};
-  if (!laws.empty())
-    for (const auto& figure : {figure11, figure11_panels, figure12, figure13, figure14, figure16})
-      figures.push_back(figure(laws));
+  const auto add = [&](auto... figure) { (figures.push_back(figure(laws)), ...); };
+  if (!laws.empty()) add(figure11, figure11_panels, figure12, figure16);
   if (!loops.empty()) figures.push_back(figure15(loops));
+  const bool shows_details = choices.revolutions >= 0.5;  // they lie in the first 180 deg
+  if (!laws.empty() && shows_details) add(figure13, figure14);
   if (have(runs, "table11-johnson") && have(runs, "johnson") &&
-      have(runs, "table11-johnson-10mm") && have(runs, "johnson-10mm"))
+      have(runs, "table11-johnson-10mm") && have(runs, "johnson-10mm") && shows_details)
     figures.push_back(johnson_figure());
   return draw_figures(figures, folder, jobs);
 }

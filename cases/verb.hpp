@@ -19,6 +19,7 @@ using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
 void add_study_verb(CLI::App& app, Action& action);
+void add_validate_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

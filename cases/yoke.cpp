@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   Action action;
   add_run_verb(app, action);
   add_study_verb(app, action);
+  add_validate_verb(app, action);
   add_list_verb(app, action);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);

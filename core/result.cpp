@@ -89,7 +89,11 @@ void Table::add_column(std::string name, std::string_view unit, std::vector<std:
   labels_.push_back(std::move(labels));
 }
 
-void Table::reserve(std::size_t rows) { data_.reserve(rows * names_.size()); }
+void Table::reserve(std::size_t rows) {
+  // Large models ask for more than a machine has before the run is worth it; they grow in blocks.
+  constexpr std::size_t largest_block = 1 << 25;  // numbers, 256 MiB
+  data_.reserve(std::min(rows * names_.size(), largest_block));
+}
 
 double* Table::append() {
   data_.resize(data_.size() + names_.size(), 0.0);
@@ -185,6 +189,7 @@ std::string to_json(const Summary& s) {
       {"steps", s.steps},
       {"rejected", s.rejected},
       {"evaluations", s.evaluations},
+      {"recording_evaluations", s.recording_evaluations},
       {"jacobians", s.jacobians},
       {"refactorisations", s.refactorisations},
       {"fresh_factorisations", s.fresh_factorisations},

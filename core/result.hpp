@@ -21,7 +21,7 @@ class Table {
  public:
   /// Adds a column called "name_unit" ("crank.x_m"); with labels the number is an index into them.
   void add_column(std::string name, std::string_view unit, std::vector<std::string> labels = {});
-  /// Room for this many rows, so that appending them allocates nothing.
+  /// Room for this many rows (up to 256 MiB at once), so that appending them allocates nothing.
   void reserve(std::size_t rows);
   /// A new row of zeros to be filled, valid until the next call.
   double* append();
@@ -65,7 +65,8 @@ struct Summary {
   double t_asked = 0.0;           // [s]
   long steps = 0;                 // accepted
   long rejected = 0;              // error test or Newton failures
-  long evaluations = 0;           // of the equations of motion
+  long evaluations = 0;            // of the equations of motion, for steps and events
+  long recording_evaluations = 0;  // the same for samples
   long jacobians = 0;             // of an implicit method
   long refactorisations = 0;      // numeric only
   long fresh_factorisations = 0;  // with new pivots

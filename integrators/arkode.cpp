@@ -4,8 +4,10 @@
 // Explicit Runge-Kutta on the accelerations of the saddle system, y = (q, v, z, energies), by
 // ARKODE. Two ways to stay on the constraints: projection of positions and velocities after every
 // step (in the metric of the masses), or Baumgarte's stabilisation. Order 5(4) of Dormand and
-// Prince: a higher order has better steps but a worse dense output, and events are only as good as
-// that.
+// Prince. ARKODE's dense output is an order worse than its steps, and a train of bounces is only as
+// good as its events. So samples and events are taken from a step of our own with the same
+// coefficients, from the start of ARKODE's step to the time wanted; a root that ARKODE located on
+// its dense output is polished on such steps.
 #include <arkode/arkode_erkstep.h>
 #include <nvector/nvector_serial.h>
 
@@ -14,12 +16,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace yoke {
 
 namespace {
 
 constexpr int max_error_test_failures = 30;
+constexpr ARKODE_ERKTableID method = ARKODE_DORMAND_PRINCE_7_4_5;
+constexpr int max_polish_iterations = 6;
 
 class Arkode final : public Formulation {
  public:
@@ -41,6 +47,11 @@ class Arkode final : public Formulation {
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
   static void on_error(int code, const char* module, const char* function, char* message,
                        void* self);
+  bool calc_rates(double t, const double* y, double* y_dot);
+  /// y at a time inside the last step, by a step of our own from where it began.
+  bool substep(double t);
+  double calc_event(int slot, double t);
+  void polish_root();
   void create(const State& state);
   void pack(const State& state);
   void set_weights();
@@ -63,6 +74,12 @@ class Arkode final : public Formulation {
   N_Vector y_ = nullptr;
   N_Vector weights_ = nullptr;
   std::vector<double> q_start_, q_;
+  ARKodeButcherTable table_ = nullptr;
+  std::vector<double> begin_, end_, stage_;  // y where the last step began and ended
+  std::vector<std::vector<double>> k_;       // rates of the stages of substep()
+  std::vector<double> g_;
+  double t_begin_ = 0.0, t_end_ = 0.0;
+  bool first_rate_known_ = false;
   double t_ = 0.0;
   double t_stop_ = 0.0;
   std::vector<int> found_;
@@ -87,6 +104,11 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
   failure_.reserve(512);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   q_ = q_start_;
+  table_ = ARKodeButcherTable_LoadERK(method);
+  begin_.assign(static_cast<std::size_t>(size_), 0.0);
+  end_ = stage_ = begin_;
+  k_.assign(static_cast<std::size_t>(table_->stages), begin_);
+  g_.assign(found_.size(), 0.0);
   set_weights();
 }
 
@@ -97,6 +119,7 @@ double* Arkode::q_of(const double* y) {
 
 Arkode::~Arkode() {
   if (memory_ != nullptr) ERKStepFree(&memory_);
+  ARKodeButcherTable_Free(table_);
   N_VDestroy(y_);
   N_VDestroy(weights_);
   SUNContext_Free(&context_);
@@ -122,7 +145,7 @@ void Arkode::create(const State& state) {
   memory_ = ERKStepCreate(&Arkode::rates, state.t, y_, context_);
   ERKStepSetErrHandlerFn(memory_, &Arkode::on_error, this);
   ERKStepSetUserData(memory_, this);
-  ERKStepSetTableNum(memory_, ARKODE_DORMAND_PRINCE_7_4_5);
+  ERKStepSetTableNum(memory_, method);
   ERKStepSVtolerances(memory_, 0.0, weights_);
   ERKStepSetMaxErrTestFails(memory_, max_error_test_failures);
   if (projects_) ERKStepSetPostprocessStepFn(memory_, &Arkode::project);
@@ -138,6 +161,8 @@ void Arkode::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;  // not set yet
+  std::copy_n(y(), size_, end_.begin());
+  t_end_ = t_;
   guard_.start(t_, state.q.data(), v_of(y()), z_of(y()));
   if (memory_ == nullptr) {
     create(state);
@@ -152,10 +177,16 @@ Step Arkode::step(double t_stop) {
     ERKStepSetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
   }
+  std::swap(begin_, end_);
+  t_begin_ = t_end_;
+  first_rate_known_ = false;
   const int flag = ERKStepEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
   if (flag < 0) return fail();
+  std::copy_n(y(), size_, end_.begin());
+  t_end_ = t_;
   if (flag == ARK_ROOT_RETURN) {
     ERKStepGetRootInfo(memory_, found_.data());
+    polish_root();
     guard_.collect(t_, q_of(y()), v_of(y()), z_of(y()), found_);
     return Step::event;
   }
@@ -174,8 +205,64 @@ double Arkode::last_step() const {
   return h;
 }
 
+bool Arkode::substep(double t) {
+  const double h = t - t_begin_;
+  const auto combine = [&](const double* weights, int count) {
+    for (std::size_t i = 0; i < stage_.size(); ++i) {
+      double sum = 0.0;
+      for (int j = 0; j < count; ++j) sum += weights[j] * k_[static_cast<std::size_t>(j)][i];
+      stage_[i] = begin_[i] + h * sum;
+    }
+  };
+  if (!first_rate_known_) first_rate_known_ = calc_rates(t_begin_, begin_.data(), k_[0].data());
+  if (!first_rate_known_) return false;
+  int needed = table_->stages;
+  while (table_->b[needed - 1] == 0.0) --needed;  // first same as last
+  for (int i = 1; i < needed; ++i) {
+    combine(table_->A[i], i);
+    if (!calc_rates(t_begin_ + table_->c[i] * h, stage_.data(),
+                    k_[static_cast<std::size_t>(i)].data()))
+      return false;
+  }
+  combine(table_->b, needed);
+  std::copy(stage_.begin(), stage_.end(), y());
+  return true;
+}
+
+double Arkode::calc_event(int slot, double t) {
+  if (!substep(t) || !guard_.evaluate(t, q_of(y()), v_of(y()), z_of(y()), g_.data()))
+    return std::numeric_limits<double>::quiet_NaN();
+  return g_[static_cast<std::size_t>(slot)];
+}
+
+// Secant steps from the root of the dense output; what does not converge nearby is left alone.
+void Arkode::polish_root() {
+  const auto slot = static_cast<int>(std::ranges::find(found_, 1) - found_.begin());
+  if (slot == guard_.count()) return;
+  const double h = t_ - t_begin_, resolvable = 4e-16 * (std::abs(t_) + h);
+  double t_last = t_ - 1e-3 * h, g_last = calc_event(slot, t_last);
+  double t = t_, g = calc_event(slot, t);
+  for (int i = 0; i < max_polish_iterations && g != g_last; ++i) {
+    const double t_next = t - g * (t - t_last) / (g - g_last);
+    if (!(std::abs(t_next - t_) < 0.1 * h)) break;  // NaN too
+    t_last = std::exchange(t, t_next);
+    if (std::abs(t - t_last) <= resolvable) {
+      t_ = t;
+      break;
+    }
+    g_last = std::exchange(g, calc_event(slot, t));
+  }
+  if (!substep(t_)) ERKStepGetDky(memory_, t_, 0, y_);
+  std::copy_n(y(), size_, end_.begin());
+  t_end_ = t_;
+}
+
 void Arkode::interpolate(double t, State& state) {
-  ERKStepGetDky(memory_, t, 0, y_);
+  if (t == t_end_) {
+    std::copy_n(end_.begin(), size_, y());
+  } else if (!substep(t)) {
+    ERKStepGetDky(memory_, t, 0, y_);
+  }
   state.t = t;
   std::copy_n(q_of(y()), n_, state.q.data());
   std::copy_n(y() + n_, n_, state.v.data());
@@ -196,14 +283,15 @@ StepCounters Arkode::counters() const {
 
 int Arkode::rates(sunrealtype t, N_Vector y_vector, N_Vector y_dot_vector, void* self) {
   auto& me = *static_cast<Arkode*>(self);
-  const double* y = NV_DATA_S(y_vector);
-  double* y_dot = NV_DATA_S(y_dot_vector);
-  const int n = me.n_;
-  std::copy_n(y + n, n, y_dot);
-  const bool ok = me.dynamics_.calc_accelerations(t, me.q_of(y), y + n, y + 2 * n, y_dot + n,
-                                                  nullptr, y_dot + 2 * n, y_dot + 2 * n + me.nz_,
-                                                  me.projects_ ? nullptr : &me.stabilisation_);
-  return ok ? 0 : 1;  // recoverable: ARKODE tries a shorter step
+  // recoverable: ARKODE tries a shorter step
+  return me.calc_rates(t, NV_DATA_S(y_vector), NV_DATA_S(y_dot_vector)) ? 0 : 1;
+}
+
+bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
+  std::copy_n(y + n_, n_, y_dot);
+  return dynamics_.calc_accelerations(t, q_of(y), v_of(y), z_of(y), y_dot + n_, nullptr,
+                                      y_dot + 2 * n_, y_dot + 2 * n_ + nz_,
+                                      projects_ ? nullptr : &stabilisation_);
 }
 
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {

@@ -47,6 +47,19 @@ void check_options(const SimulationOptions& options, double t_start) {
     require_finite("simulation", name, value);
 }
 
+/// Work on the equations of motion.
+struct Cost {
+  long evaluations = 0, refactorisations = 0, fresh = 0;
+  Cost operator-(const Cost& o) const {
+    return {evaluations - o.evaluations, refactorisations - o.refactorisations, fresh - o.fresh};
+  }
+  void operator+=(const Cost& o) {
+    evaluations += o.evaluations;
+    refactorisations += o.refactorisations;
+    fresh += o.fresh;
+  }
+};
+
 /// One run: a state that moves, what is recorded of it, and the formulation that moves it.
 class Run {
  public:
@@ -64,6 +77,7 @@ class Run {
   bool too_many_events();
   bool stalls(double t);
   std::string blame() const;
+  Cost cost() const;
   void finish();
   void stop(Stop why, std::string reason);
   double sample_time(long i) const;
@@ -78,6 +92,7 @@ class Run {
   std::unique_ptr<Formulation> formulation_;
   double t_start_;
   long next_sample_ = 0;
+  Cost recording_;  // of samples, told apart from that of the steps
   double window_start_ = 0.0;
   long window_events_ = 0;
   std::vector<double> local_acceleration_;
@@ -189,12 +204,14 @@ void Run::record_at(double t) {
 
 void Run::record_samples_up_to(double t) {
   if (next_sample_ >= options_.samples || sample_time(next_sample_) > t) return;
+  const Cost before = cost();
   sample_.contacts = state_.contacts;
   while (!stopped_ && next_sample_ < options_.samples && sample_time(next_sample_) <= t) {
     record_at(sample_time(next_sample_));
     ++next_sample_;
   }
   dynamics_.system().bind(state_);
+  recording_ += cost() - before;
 }
 
 bool Run::too_many_events() {
@@ -302,6 +319,11 @@ void Run::stop(Stop why, std::string reason) {
   result_.summary.reason = std::move(reason);
 }
 
+Cost Run::cost() const {
+  const FactorCounters& factors = dynamics_.counters();
+  return {dynamics_.evaluations(), factors.refactorisations, factors.fresh};
+}
+
 void Run::finish() {
   Summary& summary = result_.summary;
   if (!stopped_) {
@@ -313,10 +335,11 @@ void Run::finish() {
   summary.steps = counters.steps;
   summary.rejected = counters.rejected;
   summary.jacobians = counters.jacobians;
-  summary.evaluations = dynamics_.evaluations();
-  summary.refactorisations =
-      dynamics_.counters().refactorisations + counters.factors.refactorisations;
-  summary.fresh_factorisations = dynamics_.counters().fresh + counters.factors.fresh;
+  const Cost stepping = cost() - recording_;
+  summary.evaluations = stepping.evaluations;
+  summary.refactorisations = stepping.refactorisations + counters.factors.refactorisations;
+  summary.fresh_factorisations = stepping.fresh + counters.factors.fresh;
+  summary.recording_evaluations = recording_.evaluations;
   summary.last_step = formulation_->last_step();
   summary.wall_time = std::chrono::duration<double>(Clock::now() - began_).count();
   result_.final = state_;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The code printed in the documents is code that is compiled here, word for word, and runs.
+#include <doctest/doctest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <yoke/cases/request.hpp>
+#include <yoke/core/check.hpp>
+#include <yoke/tests/cases/authoring_example.hpp>
+#include <yoke/tests/cases/embedding_example.hpp>
+
+// The README's program is a main of its own.
+#define main readme_main
+#include <yoke/tests/cases/readme_example.hpp>
+#undef main
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = YOKE_SOURCE_DIR;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(root / path);
+  REQUIRE_MESSAGE(file.good(), path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What stands between ```language and ``` in a Markdown file.
+std::vector<std::string> blocks(const fs::path& document, const std::string& language) {
+  std::vector<std::string> found;
+  std::istringstream lines(content(document));
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "```" + language) {
+      inside = true;
+      found.emplace_back();
+    } else if (line == "```") {
+      inside = false;
+    } else if (inside) {
+      found.back() += line + "\n";
+    }
+  }
+  return found;
+}
+
+/// Every block of the document stands in one of the files.
+void check_blocks(const fs::path& document, const std::string& language, std::size_t at_least,
+                  const std::vector<fs::path>& files) {
+  const std::vector<std::string> printed = blocks(document, language);
+  CHECK(printed.size() >= at_least);
+  for (const std::string& block : printed) {
+    INFO(document.string() << ", not compiled anywhere:\n" << block);
+    CHECK(std::ranges::any_of(files, [&](const fs::path& file) {
+      return content(file).find(block) != std::string::npos;
+    }));
+  }
+}
+
+/// Works in a folder of its own, removed at the end.
+class Elsewhere {
+ public:
+  Elsewhere() : before_(fs::current_path()) {
+    std::string name = (fs::temp_directory_path() / "yoke-docs-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    folder_ = name;
+    fs::current_path(folder_);
+  }
+  ~Elsewhere() {
+    std::error_code ignored;
+    fs::current_path(before_, ignored);
+    fs::remove_all(folder_, ignored);
+  }
+
+ private:
+  fs::path before_, folder_;
+};
+
+}  // namespace
+
+TEST_CASE("the program in README.md is the one compiled here, and runs") {
+  const std::string compiled = content("tests/cases/readme_example.hpp");
+  const std::vector<std::string> printed = blocks("README.md", "cpp");
+  REQUIRE(printed.size() == 1);
+  CHECK(printed[0] == compiled.substr(compiled.find("#include")));
+
+  const Elsewhere folder;
+  CHECK(readme_main() == 0);
+  for (const char* name : {"motion.csv", "events.csv", "summary.json"})
+    CHECK(fs::file_size(fs::path("results/first") / name) > 100);
+}
+
+TEST_CASE("the code in docs/authoring.md is compiled here") {
+  check_blocks("docs/authoring.md", "cpp", 10, {"tests/cases/authoring_example.hpp"});
+}
+
+TEST_CASE("the code in docs/embedding.md is compiled here or in the consumers") {
+  check_blocks("docs/embedding.md", "cpp", 5,
+               {"tests/cases/embedding_example.hpp", "tests/install/main.cpp",
+                "tests/subdirectory/main.cpp"});
+  check_blocks("docs/embedding.md", "cmake", 2,
+               {"tests/install/CMakeLists.txt", "tests/subdirectory/CMakeLists.txt"});
+}
+
+TEST_CASE("docs/authoring.md: the pendulum and its follower") {
+  using namespace pendulum_follower;
+  const yoke::Result result = run(mechanism({}, steel_walls()));
+  CHECK(result.summary.ok());
+  CHECK(result["slot.normal_force_N"].maxCoeff() > 10.0);
+  CHECK(result["dissipated_J"].tail(1)[0] > 0.0);
+  CHECK(result.summary.energy_balance < 1e-5 * result.summary.energy_exchanged);
+  const auto on = [&](const char* region) {
+    return std::ranges::count(result.events, region, &yoke::EventRecord::region);
+  };
+  CHECK(on("inner") > 0);
+  CHECK(on("outer") > 0);
+}
+
+TEST_CASE("docs/authoring.md: the case runs as the program would run it") {
+  using namespace yoke;
+  const Elsewhere folder;
+  const cases::Case c = pendulum_follower::pendulum_follower_case();
+  cases::RequestOptions options;
+  options.settings = {"start_angle=12deg", "duration=0.2s"};
+  options.relative_tolerance = 1e-7;
+  const cases::RunRequest request = cases::make_request(c, options);
+  CHECK(c.run(request) == cases::RunStatus::completed);
+  CHECK(fs::exists("results/pendulum_follower/motion.csv"));
+  CHECK(c.model(request.parameters, "").body_count() == 2);
+}
+
+TEST_CASE("docs/authoring.md: own elements have right derivatives") {
+  CHECK(own::own_elements_are_right());
+  CHECK(own::own_contact_is_right());
+  own::Bench bench;
+  bench.model.add(own::Level{.name = "level", .body = bench.a, .at = {0.11, 0.3}});
+  const yoke::ElementCheck check = check_element(*bench.model.constraints()[0], bench.model);
+  INFO(check.message());
+  CHECK(check.ok());
+}
+
+TEST_CASE("docs/authoring.md: own elements run") {
+  using namespace yoke;
+  own::Bench bench;
+  bench.model.add(own::Level{.name = "level", .body = bench.a, .at = {0.11, 0.3}});
+  bench.model.add(own::AirDrag("drag", bench.b, 0.8));
+  bench.model.add(Gravity{});
+  for (const FormulationNote& f : formulations()) {
+    if (f.name == "arkode-baumgarte") continue;
+    const Result result =
+        simulate(bench.model, {.until = 0.7, .formulation = std::string(f.name), .samples = 11});
+    INFO(f.name << ": " << result.summary.reason);
+    CHECK(result.summary.ok());
+    CHECK(result.summary.energy_balance < 1e-6 * result.summary.energy_exchanged);
+  }
+}
+
+TEST_CASE("docs/embedding.md: sweeps, results, pieces, outcomes") {
+  using namespace yoke;
+  const Elsewhere folder;
+  const Model model = embedding::flap();
+  const std::vector<double> angles = embedding::lowest_angles(model, {3.0, 4.0, 5.0});
+  CHECK(std::ranges::is_sorted(angles));  // a stiffer spring lets it fall less
+  CHECK(angles == embedding::lowest_angles(model, {3.0, 4.0, 5.0}));
+
+  const Result whole = simulate(model, {.until = 0.5});
+  embedding::read(whole);
+  CHECK(embedding::angle_after_two_pieces(model) ==
+        doctest::Approx(whole["flap.angle_rad"].tail(1)[0]).epsilon(1e-6));
+
+  CHECK(embedding::run_for(model, 0.1, std::chrono::hours(1)).summary.ok());
+  const Result cut = embedding::run_for(model, 100.0, std::chrono::seconds(0));
+  CHECK(cut.summary.stop == Stop::interrupted);
+
+  CHECK(embedding::outcome(model, {.until = 0.1}) == "completed");
+  CHECK(embedding::outcome(model, {.until = -1.0}).starts_with("the model or the options"));
+  std::ofstream("blocked");
+  fs::remove_all("results");
+  fs::create_symlink("blocked", "results");
+  CHECK(embedding::outcome(model, {.until = 0.1}).starts_with("results were not written"));
+}
