@@ -23,6 +23,9 @@ constexpr double usable_share_of_limit = 0.99;
 /// [m/s^2] added to an acceleration before it is trusted: loads may change within a step.
 constexpr double unforeseen_acceleration = 1.0;
 
+/// [m/s] what counts as moving apart: below it a rate may be rounding.
+constexpr double slowest_recession = 1e-9;
+
 double dot(const Row& a, const Row& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < columns; ++i) sum += a[i] * b[i];
@@ -139,6 +142,9 @@ void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   const double d = geometry_->penetration(in.motion, watched_region(in.motion, memory));
   if (!has_memory(memory)) {
     g[onset] = d - memory.release_penetration;
+    ContactKinematics k;
+    geometry_->calc_kinematics(in.motion, geometry_->nearest(in.motion), false, k);
+    g[closest] = -rate(k, in.motion) - slowest_recession;
     return;
   }
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch_tolerance;
@@ -311,6 +317,8 @@ void ContactElement::handle_release(EventContext& context, bool lifted) const {
   ContactMemory& memory = *context.contact;
   const int region = memory.region;
   const Approach now = calc_approach(context, region);
+  // Just after an onset the integrator's noise can take d below zero once more on its way in.
+  if (!lifted && now.rate > 0.0 && leaves_band(now.rate, now.acceleration)) return;
   const double let_go = memory.permanent_set;
   memory.phase = ContactPhase::apart;
   if (lifted && now.penetration > let_go + 2.0 * touch_tolerance) {
@@ -396,7 +404,7 @@ void ContactElement::record(EventContext& context, const char* kind, int region,
   event.kind = kind;
   event.region = region_names_[static_cast<std::size_t>(region)];
   event.speed = now.rate;
-  event.value = now.penetration;
+  event.penetration = now.penetration;
   context.record(std::move(event));
 }
 

@@ -17,6 +17,9 @@
 //   restituting  after `turn`, until `release` at the permanent set, or until a reload passes the
 //                largest penetration (`reload`), which is compression again.
 //   region       in contact, when the point of contact passes into the next region.
+//   closest      apart, at the deepest or nearest point of an approach (d' = 0): nothing happens,
+//   but a
+//                touch that came and went within one step is noticed there, and located.
 //   failure      at 99 % of the largest penetration the elastic law is valid for.
 // Two kinds of "apart" have a memory, told apart by memory.release_penetration:
 //   dented       let go at a permanent set > 0: met again at that penetration, on the unloading
@@ -106,7 +109,18 @@ class ContactElement final : public ForceElement {
   double penetration_scale() const override { return penetration_scale_; }
 
   /// The event functions; see the head of this file. Those that do not apply are -1.
-  enum Event { onset, release, pull_off, turn, reload, forget, region_end, limit, event_count };
+  enum Event {
+    onset,
+    release,
+    pull_off,
+    turn,
+    reload,
+    forget,
+    region_end,
+    limit,
+    closest,
+    event_count
+  };
   int events() const override { return event_count; }
   void calc_events(const ForceInput& in, double* g) const override;
   void handle_event(int event, EventContext& context) const override;

@@ -64,7 +64,9 @@ class Constraint {
   /// Fills what the request asks for. Called in the innermost loop: must not allocate or throw.
   virtual void evaluate(const Motion& motion, const ConstraintRequest& out) const = 0;
 
-  /// Where the joint's reaction is reported: a global point [m]. Default: centre of the last body.
+  /// Which of bodies() the reported reaction acts on. Default: the last.
+  virtual std::size_t reaction_body() const { return bodies_.size() - 1; }
+  /// Where it is reported: a global point [m]. Default: the centre of that body.
   virtual Vec2 reaction_point(const Motion& motion) const;
 
   /// True if Phi depends on time, so that the joint does work on the mechanism (a driver).

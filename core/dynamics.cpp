@@ -258,14 +258,15 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
 Reaction Dynamics::reaction(std::size_t constraint, const double* lambda) const {
   const ConstraintSlot& c = system_.constraints()[constraint];
   const double* G = system_.G() + c.block;
+  const std::size_t body = c.element->reaction_body();
   double f[3] = {0.0, 0.0, 0.0};
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < c.rows; ++i)
-      f[j] -= G[i * c.columns + c.columns - 3 + j] * lambda[c.row + i];
+      f[j] -= G[i * c.columns + 3 * static_cast<int>(body) + j] * lambda[c.row + i];
   const Vec2 force(f[0], f[1]);
   const Motion& motion = system_.motion();
-  const Vec2 arm =
-      c.element->reaction_point(motion) - motion[c.element->bodies().back()].position();
+  const Vec2 centre = motion[c.element->bodies()[body]].position();
+  const Vec2 arm = c.element->reaction_point(motion) - centre;
   return {.force = force, .moment = f[2] - cross(arm, force)};
 }
 

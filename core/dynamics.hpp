@@ -30,7 +30,8 @@ struct Outcome {
   explicit operator bool() const { return ok; }
 };
 
-/// Force a joint exerts on the last of its bodies, at the joint, in global axes.
+/// Force a joint exerts on its reaction_body() (the last of its bodies, unless it says otherwise),
+/// at the joint, in global axes.
 struct Reaction {
   Vec2 force{0.0, 0.0};  // [N]
   double moment = 0.0;   // [N m] about the joint's reaction point

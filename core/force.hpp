@@ -32,6 +32,7 @@ struct Channel {
   std::string name;  // for instance "penetration"
   std::string unit;  // for instance "m"; the column is called element.penetration_m
   std::vector<std::string> labels{};
+  double scale = 1.0;  // of a state z: its typical size, which its error weight is made from
 };
 
 /// Energy of one element. Powers are rates of energy leaving (dissipated) or entering (supplied).
@@ -65,12 +66,12 @@ struct ForceRequest {
 
 /// What happened at a located event, as it is written to events.csv.
 struct EventRecord {
-  double t = 0.0;       // [s]
-  std::string element;  // name of the force element
-  std::string kind;     // "onset", "release", "region", ...
-  std::string region;   // which part of the geometry, after the event
-  double speed = 0.0;   // [m/s] penetration rate at the event, > 0 approaching
-  double value = 0.0;   // [m] penetration at the event
+  double t = 0.0;            // [s]
+  std::string element;       // name of the force element
+  std::string kind;          // "onset", "release", "region", ...
+  std::string region;        // which part of the geometry, after the event
+  double speed = 0.0;        // [m/s] penetration rate at the event, > 0 approaching
+  double penetration = 0.0;  // [m] at the event
 };
 
 /// Given to an element when one of its event functions has crossed zero. The state is projected and

@@ -15,7 +15,7 @@ Constraint::Constraint(std::string name, std::vector<BodyId> bodies,
       pattern_(std::move(pattern)) {}
 
 Vec2 Constraint::reaction_point(const Motion& motion) const {
-  return motion[bodies_.back()].position();
+  return motion[bodies_[reaction_body()]].position();
 }
 
 ForceElement::ForceElement(std::string name, std::vector<BodyId> bodies, Dependence dependence)
@@ -34,6 +34,17 @@ Body with_point_mass(Body body, double mass, const Vec2& at) {
 }
 
 namespace {
+
+/// Names head columns of CSV files.
+void check_name(const char* what, const std::string& name) {
+  const auto separates = [](char c) { return c == ',' || c == '"' || (c >= 0 && c < ' '); };
+  if (name.empty()) throw ModelError(fmt::format("{} needs a name that is not empty", what));
+  if (std::ranges::any_of(name, separates))
+    throw ModelError(
+        fmt::format("{} '{}': a name must not contain commas, quotation marks or "
+                    "control characters",
+                    what, name));
+}
 
 std::string known_names(const std::vector<Body>& bodies) {
   std::string list;
@@ -59,7 +70,7 @@ Model::Model() {
 
 BodyId Model::add(Body body) {
   const std::string owner = fmt::format("body '{}'", body.name);
-  if (body.name.empty()) throw ModelError("a body needs a name that is not empty");
+  check_name("a body", body.name);
   if (body_index_.contains(body.name))
     throw ModelError(owner + ": this name is taken by another body");
   require_positive(owner, "mass", body.mass, "kg");
@@ -84,7 +95,7 @@ BodyId Model::find_body(std::string_view name) const {
 }
 
 void Model::check_new_element(const std::string& name, const std::vector<BodyId>& bodies) {
-  if (name.empty()) throw ModelError("a joint or force needs a name that is not empty");
+  check_name("a joint or force", name);
   for (const BodyId id : bodies)
     if (id.index < 0 || id.index > body_count())
       throw ModelError(fmt::format("'{}': unknown body {}: the model has bodies 0 to {}", name,
@@ -109,9 +120,9 @@ void Model::insert(std::unique_ptr<Constraint> constraint) {
 }
 
 void Model::insert(std::unique_ptr<ForceElement> force) {
-  check_new_element(force->name(), force->bodies(*this));
   for (const Parameter& p : force->parameters())
     require_finite(fmt::format("'{}'", force->name()), p.name, p.value);
+  check_new_element(force->name(), force->bodies(*this));
   forces_.push_back(std::move(force));
 }
 

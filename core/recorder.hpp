@@ -31,7 +31,7 @@ class Recorder {
   Dynamics& dynamics_;
   Result& result_;
   std::vector<std::size_t> channels_;  // of each force element
-  std::vector<bool> is_work_;  // of each quadrature: work done, else dissipated
+  std::vector<bool> is_work_;          // of each quadrature: work done, else dissipated
   double initial_ = 0.0;
   EnergyTerms start_;
 };

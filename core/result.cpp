@@ -45,7 +45,9 @@ class LineWriter {
   [[noreturn]] void cut_and_fail() {
     const int error = errno;
     // Lines of this block that reached the disk are kept, the torn one is cut off.
-    std::FILE* readable = std::fopen(path_.c_str(), "r");
+    std::error_code unknown;
+    const bool is_file = std::filesystem::is_regular_file(path_, unknown);
+    std::FILE* readable = is_file ? std::fopen(path_.c_str(), "r") : nullptr;
     off_t whole = written_;
     if (readable != nullptr) {
       std::fseek(readable, written_, SEEK_SET);
@@ -75,7 +77,8 @@ nlohmann::json number(double x) {
 
 void Table::add_column(std::string name, std::string_view unit, std::vector<std::string> labels) {
   // "m/s^2" becomes "_m_per_s2": column names are identifiers in most tools that read them.
-  if (!unit.empty() && unit != "1") name += "_";
+  if (unit == "1") unit = "";
+  if (!unit.empty()) name += "_";
   for (const char c : unit) {
     if (c == '/') {
       name += "_per_";
@@ -170,7 +173,7 @@ void write_events(const std::vector<EventRecord>& events, const std::filesystem:
   file.line("t_s,kind,region,speed_m_per_s,penetration_m,element");
   for (const EventRecord& e : events)
     file.line(fmt::format("{:.17g},{},{},{:.17g},{:.17g},{}", e.t, e.kind, e.region, e.speed,
-                          e.value, e.element));
+                          e.penetration, e.element));
   file.flush();
 }
 
@@ -204,7 +207,7 @@ std::string to_json(const Summary& s) {
       {"energy_exchanged_J", number(s.energy_exchanged)},
       {"wall_time_s", s.wall_time},
   };
-  return json.dump(2);
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void Result::write(const std::filesystem::path& folder) const {

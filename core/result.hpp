@@ -58,18 +58,18 @@ struct Summary {
   std::string reason = "not run";  // one sentence; for failures what to try
   std::string formulation;         // which one ran
   double relative_tolerance = 0.0;
-  double length_scale = 0.0;      // [m] used in the error weights
-  double time_scale = 0.0;        // [s]
-  double t_start = 0.0;           // [s]
-  double t_end = 0.0;             // [s] how far it got
-  double t_asked = 0.0;           // [s]
-  long steps = 0;                 // accepted
-  long rejected = 0;              // error test or Newton failures
+  double length_scale = 0.0;       // [m] used in the error weights
+  double time_scale = 0.0;         // [s]
+  double t_start = 0.0;            // [s]
+  double t_end = 0.0;              // [s] how far it got
+  double t_asked = 0.0;            // [s]
+  long steps = 0;                  // accepted
+  long rejected = 0;               // error test or Newton failures
   long evaluations = 0;            // of the equations of motion, for steps and events
   long recording_evaluations = 0;  // the same for samples
-  long jacobians = 0;             // of an implicit method
-  long refactorisations = 0;      // numeric only
-  long fresh_factorisations = 0;  // with new pivots
+  long jacobians = 0;              // of an implicit method
+  long refactorisations = 0;       // numeric only
+  long fresh_factorisations = 0;   // with new pivots
   long events = 0;
   double last_step = 0.0;           // [s]
   double position_violation = 0.0;  // worst at samples and events, after projection [m or rad]
@@ -87,7 +87,7 @@ struct Result {
   Table samples;
   std::vector<EventRecord> events;
   Summary summary;
-  State final;
+  State final;  // at Summary::t_end, consistent: a run can go on from it
 
   /// Column of the samples: result["crank.angle_rad"].
   Eigen::VectorXd operator[](std::string_view column) const { return samples[column]; }

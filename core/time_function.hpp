@@ -49,9 +49,8 @@ TimeFunction constant_speed(double start, double speed);
 /// duration of 0 is constant_speed. Throws ModelError.
 TimeFunction smooth_ramp(double start, double speed, double duration);
 
-/// From f alone, differentiated automatically: time_function([](auto t) { return 0.1 * sin(3.0 *
-/// t);
-/// }). Functions of t are written without std::.
+/// From f alone, differentiated automatically; functions of t are written without std::.
+///   time_function([](auto t) { return 0.1 * sin(3.0 * t); })
 template <class F>
 TimeFunction time_function(F f) {
   return TimeFunction([f = std::move(f)](double t) {

@@ -26,6 +26,8 @@ namespace {
 constexpr int max_error_test_failures = 30;
 constexpr ARKODE_ERKTableID method = ARKODE_DORMAND_PRINCE_7_4_5;
 constexpr int max_polish_iterations = 6;
+// In units of the error weights; a step that is within its tolerance needs about one.
+constexpr double largest_projection = 1e4;
 
 class Arkode final : public Formulation {
  public:
@@ -38,13 +40,25 @@ class Arkode final : public Formulation {
   double last_step() const override;
   void interpolate(double t, State& state) override;
   const std::vector<int>& fired() const override { return guard_.fired(); }
+  const std::vector<int>& passed() const override { return guard_.passed(); }
   StepCounters counters() const override;
   std::string failure() const override { return failure_; }
 
  private:
   static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
   static int project(sunrealtype t, N_Vector y, void* self);
+  bool project(double t, double* y);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
+  /// Exceptions of users' functions must not pass through SUNDIALS.
+  template <class F>
+  int guarded(F&& callback) noexcept {
+    try {
+      return callback();
+    } catch (const std::exception& error) {
+      failure_ = error.what();
+      return -1;
+    }
+  }
   static void on_error(int code, const char* module, const char* function, char* message,
                        void* self);
   bool calc_rates(double t, const double* y, double* y_dot);
@@ -109,7 +123,6 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
   end_ = stage_ = begin_;
   k_.assign(static_cast<std::size_t>(table_->stages), begin_);
   g_.assign(found_.size(), 0.0);
-  set_weights();
 }
 
 double* Arkode::q_of(const double* y) {
@@ -127,10 +140,12 @@ Arkode::~Arkode() {
 
 void Arkode::set_weights() {
   double* w = NV_DATA_S(weights_);
-  std::copy_n(tolerances_.q.data(), n_, w);
+  for (int i = 0; i < n_; ++i)
+    w[i] = std::max(tolerances_.q[i], rounding_of(q_start_[static_cast<std::size_t>(i)]));
   std::copy_n(tolerances_.v.data(), n_, w + n_);
   std::copy_n(tolerances_.z.data(), nz_, w + 2 * n_);
   std::fill_n(w + 2 * n_ + nz_, quadratures_, tolerances_.energy);
+  ERKStepSVtolerances(memory_, 0.0, weights_);
 }
 
 void Arkode::pack(const State& state) {
@@ -146,7 +161,6 @@ void Arkode::create(const State& state) {
   ERKStepSetErrHandlerFn(memory_, &Arkode::on_error, this);
   ERKStepSetUserData(memory_, this);
   ERKStepSetTableNum(memory_, method);
-  ERKStepSVtolerances(memory_, 0.0, weights_);
   ERKStepSetMaxErrTestFails(memory_, max_error_test_failures);
   if (projects_) ERKStepSetPostprocessStepFn(memory_, &Arkode::project);
   if (guard_.count() > 0) {
@@ -170,6 +184,7 @@ void Arkode::start(const State& state) {
     before_ = counters();
     ERKStepReInit(memory_, &Arkode::rates, state.t, y_);
   }
+  set_weights();
 }
 
 Step Arkode::step(double t_stop) {
@@ -178,10 +193,14 @@ Step Arkode::step(double t_stop) {
     t_stop_ = t_stop;
   }
   std::swap(begin_, end_);
-  t_begin_ = t_end_;
+  const double t_begin_before = std::exchange(t_begin_, t_end_);
   first_rate_known_ = false;
   const int flag = ERKStepEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
-  if (flag < 0) return fail();
+  if (flag < 0) {
+    std::swap(begin_, end_);  // the last good step stays the one to interpolate
+    t_begin_ = t_begin_before;
+    return fail();
+  }
   std::copy_n(y(), size_, end_.begin());
   t_end_ = t_;
   if (flag == ARK_ROOT_RETURN) {
@@ -240,11 +259,13 @@ void Arkode::polish_root() {
   const auto slot = static_cast<int>(std::ranges::find(found_, 1) - found_.begin());
   if (slot == guard_.count()) return;
   const double h = t_ - t_begin_, resolvable = 4e-16 * (std::abs(t_) + h);
+  double t_limit = t_;
+  ERKStepGetCurrentTime(memory_, &t_limit);
   double t_last = t_ - 1e-3 * h, g_last = calc_event(slot, t_last);
   double t = t_, g = calc_event(slot, t);
   for (int i = 0; i < max_polish_iterations && g != g_last; ++i) {
     const double t_next = t - g * (t - t_last) / (g - g_last);
-    if (!(std::abs(t_next - t_) < 0.1 * h)) break;  // NaN too
+    if (!(std::abs(t_next - t_) < 0.1 * h && t_next <= t_limit)) break;  // NaN too
     t_last = std::exchange(t, t_next);
     if (std::abs(t - t_last) <= resolvable) {
       t_ = t;
@@ -281,10 +302,11 @@ StepCounters Arkode::counters() const {
   return total;
 }
 
-int Arkode::rates(sunrealtype t, N_Vector y_vector, N_Vector y_dot_vector, void* self) {
+int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
   auto& me = *static_cast<Arkode*>(self);
-  // recoverable: ARKODE tries a shorter step
-  return me.calc_rates(t, NV_DATA_S(y_vector), NV_DATA_S(y_dot_vector)) ? 0 : 1;
+  return me.guarded([&] {
+    return me.calc_rates(t, NV_DATA_S(y), NV_DATA_S(y_dot)) ? 0 : 1;  // 1: try a shorter step
+  });
 }
 
 bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
@@ -296,22 +318,35 @@ bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
 
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
   auto& me = *static_cast<Arkode*>(self);
-  double* y = NV_DATA_S(y_vector);
-  double* q = me.q_of(y);
-  if (me.dynamics_.project_positions(t, q) && me.dynamics_.project_velocities(t, q, y + me.n_)) {
-    for (int i = 0; i < me.n_; ++i) y[i] = q[i] - me.q_start_[static_cast<std::size_t>(i)];
-    return 0;
+  return me.guarded([&] { return me.project(t, NV_DATA_S(y_vector)) ? 0 : -1; });
+}
+
+bool Arkode::project(double t, double* y) {
+  double* q = q_of(y);
+  if (dynamics_.project_positions(t, q) && dynamics_.project_velocities(t, q, y + n_)) {
+    double moved = 0.0;  // in units of the error weights
+    for (std::size_t i = 0; i < q_.size(); ++i) {
+      const double projected = q[i] - q_start_[i];
+      moved = std::max(moved, std::abs(projected - y[i]) / NV_DATA_S(weights_)[i]);
+      y[i] = projected;
+    }
+    if (moved < largest_projection) return true;
+    failure_ = fmt::format(
+        "a driver or joint jumps: the projection would move the mechanism by "
+        "{:.0e} times the tolerance in one step",
+        moved);
+    return false;
   }
-  const System& system = me.dynamics_.system();
-  me.failure_ = fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
-                            system.equation_name(me.dynamics_.worst_row()));
-  return -1;
+  failure_ = fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
+                         dynamics_.system().equation_name(dynamics_.worst_row()));
+  return false;
 }
 
 int Arkode::events(sunrealtype t, N_Vector y_vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<Arkode*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guard_.evaluate(t, me.q_of(y), me.v_of(y), me.z_of(y), g) ? 0 : -1;
+  return me.guarded(
+      [&] { return me.guard_.evaluate(t, me.q_of(y), me.v_of(y), me.z_of(y), g) ? 0 : -1; });
 }
 
 void Arkode::on_error(int code, const char*, const char*, char* message, void* self) {

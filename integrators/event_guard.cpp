@@ -11,6 +11,7 @@ EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   last_.assign(count, -1.0);
   armed_.assign(count, 0);
   fired_.reserve(count);
+  passed_.reserve(count);
 }
 
 void EventGuard::calc(double t, const double* q, const double* v, const double* z, double* g) {
@@ -46,8 +47,15 @@ void EventGuard::collect(double t, const double* q, const double* v, const doubl
   std::vector<double>& now = last_;
   calc(t, q, v, z, now.data());
   fired_.clear();
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (armed_[i] != 0 && (found[i] > 0 || now[i] >= 0.0)) fired_.push_back(static_cast<int>(i));
+  passed_.clear();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (armed_[i] == 0) continue;
+    if (found[i] > 0) {
+      fired_.push_back(static_cast<int>(i));
+    } else if (now[i] >= 0.0) {
+      passed_.push_back(static_cast<int>(i));
+    }
+  }
 }
 
 }  // namespace yoke

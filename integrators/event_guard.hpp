@@ -24,12 +24,12 @@ class EventGuard {
   bool evaluate(double t, const double* q, const double* v, const double* z, double* g);
   /// After an accepted step without event: arms what has become negative.
   void accept(double t, const double* q, const double* v, const double* z);
-  /// After a root was found at this state: the slots to handle. `found` [count] is what the root
-  /// finder reported; functions that crossed by now as well are added (two contacts at one
-  /// instant).
+  /// After a root was found at this state: fired() are the slots the root finder reported in
+  /// `found` [count], passed() those that crossed as well, now or earlier in the step.
   void collect(double t, const double* q, const double* v, const double* z,
                const std::vector<int>& found);
   const std::vector<int>& fired() const { return fired_; }
+  const std::vector<int>& passed() const { return passed_; }
 
  private:
   void calc(double t, const double* q, const double* v, const double* z, double* g);
@@ -37,7 +37,7 @@ class EventGuard {
   Dynamics& dynamics_;
   std::vector<double> last_;
   std::vector<char> armed_;
-  std::vector<int> fired_;
+  std::vector<int> fired_, passed_;
 };
 
 }  // namespace yoke

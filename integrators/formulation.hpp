@@ -5,6 +5,8 @@
 // located events. One file per formulation; registry.cpp lists them.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,6 +26,12 @@ struct Tolerances {
   double baumgarte_rate = 0.0;  // [1/s]
 };
 
+/// The least a position can be weighted with: a few units in its last place. Weights do not depend
+/// on where the origin is but for this, what no tolerance can ask for.
+inline double rounding_of(double coordinate) {
+  return 8.0 * std::numeric_limits<double>::epsilon() * std::abs(coordinate);
+}
+
 enum class Step { advanced, event, failed };
 
 /// What a formulation has cost so far.
@@ -39,14 +47,17 @@ class Formulation {
   virtual ~Formulation() = default;
   /// Starts or restarts at a consistent state; after this nothing of the past is used.
   virtual void start(const State& state) = 0;
-  /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired().
+  /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired(); the
+  /// caller may restart there or go on as if nothing had been.
   virtual Step step(double t_stop) = 0;
   virtual double time() const = 0;
   virtual double last_step() const = 0;
   /// t, q, v, z and energy at a time inside the last step, not projected.
   virtual void interpolate(double t, State& state) = 0;
-  /// Event slots that crossed zero upwards at time().
+  /// Event slots that crossed zero upwards at time(), and those that were found to have crossed by
+  /// then, at that time or earlier in the step.
   virtual const std::vector<int>& fired() const = 0;
+  virtual const std::vector<int>& passed() const = 0;
   virtual StepCounters counters() const = 0;
   /// Why the last step failed.
   virtual std::string failure() const = 0;

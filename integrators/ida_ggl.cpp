@@ -3,9 +3,10 @@
 //
 // BDF of variable order and step (SUNDIALS IDAS) on the stabilised index-2 equations of
 // ggl_matrix.hpp. The matrix and the linear solver are our own: IDA would set a sparse matrix's
-// index arrays to zero before every Jacobian, and could not scale it. Energies are quadratures. The
-// first part of y are displacements from the last restart, so that rounding in IDA's sums does not
-// know where the origin is.
+// index arrays to zero before every Jacobian, and could not scale it. Energies E are unknowns of
+// their own, E' = power: IDAS' quadratures fall to order 1 where the motion itself is without
+// error, as in a mechanism that is wholly driven. The first part of y are displacements from the
+// last restart, so that rounding in IDA's sums does not know where the origin is.
 #include <idas/idas.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
@@ -35,6 +36,7 @@ class IdaGgl final : public Formulation {
   double last_step() const override;
   void interpolate(double t, State& state) override;
   const std::vector<int>& fired() const override { return guard_.fired(); }
+  const std::vector<int>& passed() const override { return guard_.passed(); }
   StepCounters counters() const override;
   std::string failure() const override { return failure_; }
 
@@ -42,11 +44,21 @@ class IdaGgl final : public Formulation {
   static int residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self);
   static int jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Vector r,
                       SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector);
-  static int quadrature(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector rates, void* self);
+  bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
   static int events(sunrealtype t, N_Vector y, N_Vector y_dot, sunrealtype* g, void* self);
   static int setup(SUNLinearSolver solver, SUNMatrix matrix);
   static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
                    sunrealtype tolerance);
+  /// Exceptions of users' functions must not pass through SUNDIALS.
+  template <class F>
+  int guarded(F&& callback) noexcept {
+    try {
+      return callback();
+    } catch (const std::exception& error) {
+      failure_ = error.what();
+      return -1;
+    }
+  }
   static void on_error(int code, const char* module, const char* function, char* message,
                        void* self);
   void create_matrix_and_solver();
@@ -63,14 +75,14 @@ class IdaGgl final : public Formulation {
   Tolerances tolerances_;
   GglMatrix equations_;
   EventGuard guard_;
-  int n_, nz_, rows_, quadratures_;
+  int n_, nz_, rows_, quadratures_, size_;
   SUNContext context_ = nullptr;
   void* memory_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
   N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr, id_ = nullptr;
-  N_Vector energy_ = nullptr, energy_weights_ = nullptr;
-  std::vector<double> a_, lambda_;
+  std::vector<double> a_, lambda_, power_;
+  double shift_ = 1.0;  // dR/dy' of the last Jacobian
   std::vector<double> q_start_, absolute_;
   double t_ = 0.0;
   double t_stop_ = 0.0;
@@ -87,23 +99,20 @@ IdaGgl::IdaGgl(Dynamics& dynamics, const Tolerances& tolerances)
       n_(dynamics.system().dofs()),
       nz_(dynamics.system().states()),
       rows_(dynamics.system().rows()),
-      quadratures_(dynamics.system().quadratures()) {
+      quadratures_(dynamics.system().quadratures()),
+      size_(equations_.size() + quadratures_) {
   SUNContext_Create(nullptr, &context_);
-  y_ = N_VNew_Serial(equations_.size(), context_);
+  y_ = N_VNew_Serial(size_, context_);
   y_dot_ = N_VClone(y_);
   weights_ = N_VClone(y_);
   id_ = N_VClone(y_);
-  energy_ = N_VNew_Serial(std::max(quadratures_, 1), context_);
-  energy_weights_ = N_VClone(energy_);
-  N_VConst(0.0, energy_);
-  N_VConst(tolerances.energy, energy_weights_);
+  power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
   lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
   failure_.reserve(512);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
-  absolute_.assign(static_cast<std::size_t>(equations_.size()), 0.0);
-  set_weights();
+  absolute_.assign(static_cast<std::size_t>(size_), 0.0);
   create_matrix_and_solver();
 }
 
@@ -111,7 +120,7 @@ IdaGgl::~IdaGgl() {
   if (memory_ != nullptr) IDAFree(&memory_);
   SUNLinSolFreeEmpty(solver_);
   SUNMatFreeEmpty(matrix_);
-  for (N_Vector vector : {y_, y_dot_, weights_, id_, energy_, energy_weights_}) N_VDestroy(vector);
+  for (N_Vector vector : {y_, y_dot_, weights_, id_}) N_VDestroy(vector);
   SUNContext_Free(&context_);
 }
 
@@ -138,16 +147,18 @@ void IdaGgl::create_matrix_and_solver() {
 void IdaGgl::set_weights() {
   // The root mean square of IDA runs over all unknowns; what is not weighted must not dilute it.
   const double weighted = std::max(1, 2 * n_ + nz_);
-  const double share = std::sqrt(weighted / std::max(1, equations_.size()));
+  const double share = std::sqrt(weighted / std::max(1, size_));
   double* w = NV_DATA_S(weights_);
   for (int i = 0; i < n_; ++i) {
-    w[i] = share * tolerances_.q[i];
+    w[i] = share * std::max(tolerances_.q[i], rounding_of(q_start_[static_cast<std::size_t>(i)]));
     w[equations_.v() + i] = share * tolerances_.v[i];
   }
   for (int i = 0; i < nz_; ++i) w[equations_.z() + i] = share * tolerances_.z[i];
   for (int i = equations_.lambda(); i < equations_.size(); ++i) w[i] = unweighted;
-  for (int i = 0; i < equations_.size(); ++i)
-    NV_DATA_S(id_)[i] = i < equations_.lambda() ? 1.0 : 0.0;
+  for (int i = equations_.size(); i < size_; ++i) w[i] = share * tolerances_.energy;
+  for (int i = 0; i < size_; ++i)
+    NV_DATA_S(id_)[i] = i < equations_.lambda() || i >= equations_.size() ? 1.0 : 0.0;
+  IDASVtolerances(memory_, 0.0, weights_);
 }
 
 void IdaGgl::pack(const State& state) {
@@ -158,7 +169,7 @@ void IdaGgl::pack(const State& state) {
   std::copy_n(state.z.data(), nz_, y() + equations_.z());
   std::copy_n(state.lambda.data(), rows_, y() + equations_.lambda());
   std::copy_n(state.v.data(), n_, y_dot());
-  std::copy_n(state.energy.data(), quadratures_, NV_DATA_S(energy_));
+  std::copy_n(state.energy.data(), quadratures_, y() + equations_.size());
   // The accelerations of the state belong to the contacts before an event; ask again.
   dynamics_.calc_accelerations(state.t, state.q.data(), y() + n_, y() + 2 * n_, a_.data(),
                                lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr, nullptr);
@@ -171,18 +182,13 @@ void IdaGgl::create(const State& state) {
   IDASetErrHandlerFn(memory_, &IdaGgl::on_error, this);
   IDAInit(memory_, &IdaGgl::residual, state.t, y_, y_dot_);
   IDASetUserData(memory_, this);
-  IDASVtolerances(memory_, 0.0, weights_);
+  set_weights();
   IDASetId(memory_, id_);
   IDASetSuppressAlg(memory_, SUNTRUE);
   IDASetLinearSolver(memory_, solver_, matrix_);
   IDASetJacFn(memory_, &IdaGgl::jacobian);
   IDASetMaxErrTestFails(memory_, 30);
   IDASetMaxConvFails(memory_, 30);
-  if (quadratures_ > 0) {
-    IDAQuadInit(memory_, &IdaGgl::quadrature, energy_);
-    IDAQuadSVtolerances(memory_, 0.0, energy_weights_);
-    IDASetQuadErrCon(memory_, SUNTRUE);
-  }
   if (guard_.count() > 0) {
     IDARootInit(memory_, guard_.count(), &IdaGgl::events);
     std::vector<int> upwards(found_.size(), 1);
@@ -203,7 +209,7 @@ void IdaGgl::start(const State& state) {
   before_ = counters();
   before_.factors = {};  // these are never reset
   IDAReInit(memory_, state.t, y_, y_dot_);
-  if (quadratures_ > 0) IDAQuadReInit(memory_, energy_);
+  set_weights();
 }
 
 Step IdaGgl::step(double t_stop) {
@@ -237,9 +243,7 @@ void IdaGgl::interpolate(double t, State& state) {
   std::copy_n(absolute(y()), n_, state.q.data());
   std::copy_n(y() + equations_.v(), n_, state.v.data());
   std::copy_n(y() + equations_.z(), nz_, state.z.data());
-  if (quadratures_ == 0) return;
-  IDAGetQuadDky(memory_, t, 0, energy_);
-  std::copy_n(NV_DATA_S(energy_), quadratures_, state.energy.data());
+  std::copy_n(y() + equations_.size(), quadratures_, state.energy.data());
 }
 
 StepCounters IdaGgl::counters() const {
@@ -259,16 +263,34 @@ StepCounters IdaGgl::counters() const {
 
 int IdaGgl::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
-  const bool ok =
-      me.equations_.calc_residual(t, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot), NV_DATA_S(r));
-  return ok ? 0 : 1;  // recoverable: a shorter step
+  return me.guarded([&] {
+    // 1: try a shorter step
+    return me.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r)) ? 0 : 1;
+  });
+}
+
+bool IdaGgl::calc_residual(double t, const double* y, const double* y_dot, double* residual) {
+  const double* at = absolute(y);
+  if (!equations_.calc_residual(t, at, y_dot, residual)) return false;
+  if (quadratures_ == 0) return true;
+  // Multipliers from the acceleration-level solve: IDA's own are a hundred times worse.
+  if (!dynamics_.calc_accelerations(t, at, y + n_, y + 2 * n_, a_.data(), lambda_.data(), nullptr,
+                                    power_.data()))
+    return false;
+  for (int i = 0; i < quadratures_; ++i)
+    residual[equations_.size() + i] =
+        y_dot[equations_.size() + i] - power_[static_cast<std::size_t>(i)];
+  return true;
 }
 
 int IdaGgl::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector, SUNMatrix,
                      void* self, N_Vector, N_Vector, N_Vector) {
   auto& me = *static_cast<IdaGgl*>(self);
-  me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)));
-  return 0;
+  return me.guarded([&] {
+    me.shift_ = c;
+    me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)));
+    return 0;
+  });
 }
 
 int IdaGgl::setup(SUNLinearSolver solver, SUNMatrix) {
@@ -277,25 +299,18 @@ int IdaGgl::setup(SUNLinearSolver solver, SUNMatrix) {
 
 int IdaGgl::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
   auto& me = *static_cast<IdaGgl*>(solver->content);
-  std::copy_n(NV_DATA_S(b), me.equations_.size(), NV_DATA_S(x));
+  std::copy_n(NV_DATA_S(b), me.size_, NV_DATA_S(x));
   me.equations_.solve(NV_DATA_S(x));
+  // Energies act on nothing, so Newton's iteration does without their derivatives by the motion.
+  for (int i = me.equations_.size(); i < me.size_; ++i) NV_Ith_S(x, i) /= me.shift_;
   return 0;
-}
-
-// Multipliers from the acceleration-level solve: IDA's own are a hundred times worse.
-int IdaGgl::quadrature(sunrealtype t, N_Vector y_vector, N_Vector, N_Vector rates, void* self) {
-  auto& me = *static_cast<IdaGgl*>(self);
-  const double* y = NV_DATA_S(y_vector);
-  const bool ok =
-      me.dynamics_.calc_accelerations(t, me.absolute(y), y + me.n_, y + 2 * me.n_, me.a_.data(),
-                                      me.lambda_.data(), nullptr, NV_DATA_S(rates));
-  return ok ? 0 : 1;
 }
 
 int IdaGgl::events(sunrealtype t, N_Vector y_vector, N_Vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guard_.evaluate(t, me.absolute(y), y + me.n_, y + 2 * me.n_, g) ? 0 : -1;
+  return me.guarded(
+      [&] { return me.guard_.evaluate(t, me.absolute(y), y + me.n_, y + 2 * me.n_, g) ? 0 : -1; });
 }
 
 void IdaGgl::on_error(int code, const char*, const char*, char* message, void* self) {

@@ -43,8 +43,15 @@ Tolerances choose_tolerances(const System& system, const SimulationOptions& opti
       tolerances.q[dof] = std::min(tolerances.q[dof], weight);
     }
   }
-  tolerances.z = Eigen::VectorXd::Constant(system.states(), rtol);
-  tolerances.energy = rtol * mass * std::pow(scales.length / scales.time, 2);
+  tolerances.z.resize(system.states());
+  for (const ForceSlot& f : system.forces()) {
+    const std::vector<Channel> states = f.element->states();
+    for (int i = 0; i < f.states; ++i)
+      tolerances.z[f.z + i] = rtol * states[static_cast<std::size_t>(i)].scale;
+  }
+  // A tenth of the kinetic energy at the scales: ledgers are judged by what is exchanged, often
+  // less.
+  tolerances.energy = 0.1 * rtol * mass * std::pow(scales.length / scales.time, 2);
   tolerances.baumgarte_rate =
       options.baumgarte_rate > 0.0 ? options.baumgarte_rate : 10.0 / scales.time;
   return tolerances;

@@ -16,7 +16,8 @@ namespace yoke {
 Scales choose_scales(const System& system, const State& state, const SimulationOptions& options);
 
 /// Positions: tolerance x length, or for bodies in contact tolerance x sqrt(length x penetration
-/// scale), so that a penetration is resolved; angles: x 1 rad; velocities: over the time scale.
+/// scale), so that a penetration is resolved; angles: x 1 rad; velocities: over the time scale;
+/// element states: x the scale their element gives.
 Tolerances choose_tolerances(const System& system, const SimulationOptions& options);
 
 }  // namespace yoke

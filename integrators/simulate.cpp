@@ -3,6 +3,7 @@
 #include <yoke/integrators/simulate.hpp>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -22,6 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr long max_events_in_window = 2000;
 constexpr double event_window = 1e-6;
 constexpr int max_stalled_steps = 100;
+constexpr double shortest_rest = 1e-14;  // of the end time
 
 const FormulationEntry& find_formulation(const std::string& name) {
   std::string known;
@@ -60,6 +62,70 @@ struct Cost {
   }
 };
 
+void check_state(const Model& model, const State& start) {
+  if (model.body_count() == 0)
+    throw ModelError("the model has no bodies: there is nothing to move");
+  const State own = model.start_state();
+  const auto check = [](const char* what, auto given, auto expected) {
+    if (given != expected)
+      throw ModelError(
+          fmt::format("the start state is not of this model: it has {} {}, the model {}", given,
+                      what, expected));
+  };
+  check("positions", start.q.size(), own.q.size());
+  check("velocities", start.v.size(), own.v.size());
+  check("element states", start.z.size(), own.z.size());
+  check("accelerations", start.a.size(), own.a.size());
+  check("multipliers", start.lambda.size(), own.lambda.size());
+  check("energies", start.energy.size(), own.energy.size());
+  check("parameters", start.parameters.size(), own.parameters.size());
+  check("contacts", start.contacts.size(), own.contacts.size());
+  require_finite("start state", "t", start.t);
+  for (const Eigen::VectorXd* values : {&start.q, &start.v, &start.z})
+    for (const double x : *values)
+      require_finite("start state", "a position, velocity or state", x);
+  for (const double x : start.parameters) require_finite("start state", "a parameter", x);
+}
+
+/// A driver's rate must be the derivative of its value, or it does work that nobody accounts for.
+void check_drivers(System& system, const State& state, double until) {
+  constexpr int probes = 5;
+  std::vector<double> before, after, rate;
+  for (const ConstraintSlot& c : system.constraints()) {
+    if (!c.element->rheonomic()) continue;
+    const auto rows = static_cast<std::size_t>(c.rows);
+    before.assign(rows, 0.0);
+    after = rate = before;
+    int wrong = 0;
+    double t_wrong = 0.0;
+    for (int i = 0; i < probes; ++i) {
+      const double span = until - state.t, h = 1e-6 * span;
+      const double t = state.t + span * (0.07 + 0.19 * i);
+      const auto evaluate = [&](double time, const ConstraintRequest& out) {
+        system.set_motion(time, state.q.data(), state.v.data());
+        c.element->evaluate(system.motion(), out);
+      };
+      evaluate(t - h, {.phi = before.data()});
+      evaluate(t + h, {.phi = after.data()});
+      evaluate(t, {.phi_t = rate.data()});
+      for (std::size_t row = 0; row < rows; ++row) {
+        const double change = (after[row] - before[row]) / (2.0 * h);
+        const double rounding = 1e-15 * (std::abs(after[row]) + std::abs(before[row])) / h;
+        if (std::abs(change - rate[row]) >
+            1e-3 * (std::abs(change) + std::abs(rate[row])) + rounding) {
+          ++wrong;
+          t_wrong = t;
+        }
+      }
+    }
+    if (wrong >= 2)  // one probe may have met a corner
+      throw ModelError(
+          fmt::format("driver '{}': its rate is not the derivative of its value, for "
+                      "instance at t = {:g} s",
+                      c.element->name(), t_wrong));
+  }
+}
+
 /// One run: a state that moves, what is recorded of it, and the formulation that moves it.
 class Run {
  public:
@@ -72,13 +138,16 @@ class Run {
   void record_samples_up_to(double t);
   void record_at(double t);
   void record_event_state();
-  bool handle_events();
+  double locate_events();
+  double locate_crossing(int slot, double from, double to);
+  bool handle_events(double t);
   EventContext context_of(const ForceSlot& slot);
   bool too_many_events();
   bool stalls(double t);
   std::string blame() const;
   Cost cost() const;
   void finish();
+  void summarise();
   void stop(Stop why, std::string reason);
   double sample_time(long i) const;
 
@@ -96,6 +165,9 @@ class Run {
   double window_start_ = 0.0;
   long window_events_ = 0;
   std::vector<double> local_acceleration_;
+  std::vector<int> fired_;
+  std::vector<double> event_values_;
+  std::vector<ContactMemory> contacts_before_;
   double t_last_ = 0.0;
   int stalled_steps_ = 0;
   bool stopped_ = false;
@@ -104,6 +176,7 @@ class Run {
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
     : options_(options), dynamics_(model), state_(start), t_start_(start.t) {
   check_options(options, start.t);
+  event_values_.assign(static_cast<std::size_t>(dynamics_.system().events()), 0.0);
   const FormulationEntry& entry = find_formulation(options.formulation);
   Summary& summary = result_.summary;
   summary.formulation = entry.name;
@@ -114,6 +187,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   if (options.length_scale > 0.0)
     dynamics_.system().set_scales({.length = options.length_scale, .time = 1.0});
   if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
+  check_drivers(dynamics_.system(), state_, options.until);
   const Scales scales = choose_scales(dynamics_.system(), state_, options);
   dynamics_.system().set_scales(scales);
   summary.length_scale = scales.length;
@@ -167,7 +241,9 @@ bool Run::initialise() {
   recorder_->start(state_);
   formulation_->start(state_);
   record_event_state();
-  window_start_ = state_.t;
+  window_start_ = t_last_ = state_.t;
+  fired_.reserve(event_values_.size());
+  contacts_before_ = state_.contacts;
   return true;
 }
 
@@ -222,8 +298,43 @@ bool Run::too_many_events() {
   return ++window_events_ > max_events_in_window;
 }
 
-bool Run::handle_events() {
-  formulation_->interpolate(formulation_->time(), state_);
+// When the events of this step happen: at the root the formulation located, or earlier, where
+// another function crossed zero unnoticed because it came back within the step.
+double Run::locate_events() {
+  double t = formulation_->time();
+  fired_ = formulation_->fired();
+  for (const int slot : formulation_->passed()) {
+    const double crossing = locate_crossing(slot, t_last_, formulation_->time());
+    if (crossing < t) {
+      t = crossing;
+      fired_.clear();
+    }
+    if (crossing == t) fired_.push_back(slot);
+  }
+  dynamics_.system().bind(state_);
+  return t;
+}
+
+double Run::locate_crossing(int slot, double from, double to) {
+  const auto function = [&](double t) {
+    formulation_->interpolate(t, sample_);
+    System& system = dynamics_.system();
+    system.set_motion(t, sample_.q.data(), sample_.v.data());
+    system.set_states(sample_.z.data());
+    system.calc_events(event_values_.data());
+    return event_values_[static_cast<std::size_t>(slot)];
+  };
+  const double at_from = function(from), at_to = function(to);
+  if (!(at_from < 0.0 && at_to > 0.0)) return to;
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      function, from, to, at_from, at_to,
+      boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits), iterations);
+  return bracket.second;
+}
+
+bool Run::handle_events(double t) {
+  formulation_->interpolate(t, state_);
   Summary& summary = result_.summary;
   summary.position_drift = std::max(summary.position_drift, dynamics_.position_violation(state_));
   if (!dynamics_.project(state_)) {
@@ -232,14 +343,19 @@ bool Run::handle_events() {
                                    state_.t));
     return false;
   }
-  for (const int fired : formulation_->fired()) {
+  const std::size_t events_before = result_.events.size();
+  contacts_before_ = state_.contacts;
+  for (const int fired : fired_) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
       if (fired < slot.events || fired >= slot.events + slot.element->events()) continue;
-      ++summary.events;
       EventContext context = context_of(slot);
       slot.element->handle_event(fired - slot.events, context);
     }
   }
+  if (stopped_) return false;
+  const bool changed =
+      result_.events.size() > events_before || !(state_.contacts == contacts_before_);
+  if (!changed && t == formulation_->time()) return true;  // nothing to restart for
   if (too_many_events())
     stop(Stop::failed,
          fmt::format("more than {} events within {:g} s before t = {:.9g} s, the last "
@@ -251,6 +367,13 @@ bool Run::handle_events() {
     stop(Stop::failed,
          fmt::format("accelerations after the event at t = {:.9g} s are not finite", state_.t));
   if (stopped_) return false;
+  // What is left of the run is too short to be integrated.
+  if (options_.until - t <= shortest_rest * std::abs(options_.until)) {
+    state_.t = options_.until;
+    result_.summary.t_end = options_.until;
+    record_event_state();
+    return false;
+  }
   record_event_state();
   formulation_->start(state_);
   return true;
@@ -282,14 +405,14 @@ std::string Run::blame() const {
 
 bool Run::advance() {
   const Step step = formulation_->step(options_.until);
-  const double t = formulation_->time();
+  const bool at_event = step == Step::event;
+  const double t = at_event ? locate_events() : formulation_->time();
   if (step == Step::failed) {
     stop(Stop::failed,
          fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{} ({})", t,
                      formulation_->last_step(), blame(), formulation_->failure()));
     return false;
   }
-  const bool at_event = step == Step::event;
   if (stalls(t)) {
     stop(Stop::failed, fmt::format("the step size has run to zero at t = {:.9g} s{}", t, blame()));
     return false;
@@ -297,13 +420,13 @@ bool Run::advance() {
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
   result_.summary.t_end = t;
-  if (stopped_ || (at_event && !handle_events())) return false;
+  if (stopped_ || (at_event && !handle_events(t))) return false;
   if (options_.observer) {
     const StepCounters counters = formulation_->counters();
     const Progress progress{.t = t,
                             .fraction = (t - t_start_) / (options_.until - t_start_),
                             .steps = counters.steps,
-                            .events = result_.summary.events};
+                            .events = static_cast<long>(result_.events.size())};
     if (!options_.observer(progress)) {
       stop(Stop::interrupted, fmt::format("interrupted at t = {:.9g} s", t));
       return false;
@@ -325,12 +448,18 @@ Cost Run::cost() const {
 }
 
 void Run::finish() {
-  Summary& summary = result_.summary;
-  if (!stopped_) {
-    stop(Stop::completed, "reached the end time");
-    formulation_->interpolate(formulation_->time(), state_);
+  if (!stopped_) stop(Stop::completed, "reached the end time");
+  // The final state is that of the end time, however the run ended.
+  if (result_.summary.t_end > state_.t) {
+    formulation_->interpolate(result_.summary.t_end, state_);
     dynamics_.project(state_);
   }
+  summarise();
+}
+
+void Run::summarise() {
+  Summary& summary = result_.summary;
+  summary.events = static_cast<long>(result_.events.size());
   const StepCounters counters = formulation_->counters();
   summary.steps = counters.steps;
   summary.rejected = counters.rejected;
@@ -346,16 +475,22 @@ void Run::finish() {
 }
 
 Result Run::go() {
-  if (initialise())
-    while (advance()) {
-    }
-  finish();
+  try {
+    if (initialise())
+      while (advance()) {
+      }
+    finish();
+  } catch (const std::exception& error) {  // of a user's function; the results so far are kept
+    stop(Stop::failed, fmt::format("after t = {:.9g} s: {}", result_.summary.t_end, error.what()));
+    summarise();
+  }
   return std::move(result_);
 }
 
 }  // namespace
 
 Result simulate(const Model& model, const State& start, const SimulationOptions& options) {
+  check_state(model, start);
   return Run(model, start, options).go();
 }
 

@@ -4,9 +4,9 @@
 // A point of a body is moved along a direction fixed in another body as a function of time.
 //
 //   u = A(theta_L) along                  unit direction, fixed in L = relative_to
-//   Phi = u . (p - from) - f(t) = 0 [m], row displacement;   p point of the body, `from` carried by
-//   L G, H, K: see projection.hpp;  Phi_t = -f';  gamma = that of projection.hpp + f'' force on the
-//   body = -lambda u [N] at p, the opposite on L; the drive supplies -lambda f' [W]
+//   Phi = u . (p - from) - f(t) = 0 [m], row displacement;   p point of the body, `from` fixed in L
+//   G, H, K: see projection.hpp;  Phi_t = -f';  gamma = that of projection.hpp + f''
+//   force on the body = -lambda u [N] at p, the opposite on L; the drive supplies -lambda f' [W]
 #pragma once
 
 #include <memory>

@@ -29,7 +29,7 @@ class GearConstraint final : public Constraint {
     if (out.H != nullptr) out.H[2] = out.H[5] = out.H[8] = 0.0;
   }
 
-  Vec2 reaction_point(const Motion& motion) const override { return motion[b_].position(); }
+  std::size_t reaction_body() const override { return 1; }  // b
 
  private:
   BodyId a_, b_, c_;

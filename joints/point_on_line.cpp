@@ -29,6 +29,7 @@ class PointOnLineConstraint final : public Constraint {
     if (out.K != nullptr) across.write_K(out.lambda[0], out.K, 3, 0);
   }
 
+  std::size_t reaction_body() const override { return 0; }  // a, the point
   Vec2 reaction_point(const Motion& motion) const override { return motion[a_].point(s_a_); }
 
  private:

@@ -17,19 +17,21 @@
 
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/progress.hpp>
+
 #include <yoke/contact/arc_slot.hpp>
 #include <yoke/contact/hunt_crossley.hpp>
 #include <yoke/contact/johnson.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
-#include <yoke/core/auto_constraint.hpp>
-#include <yoke/core/auto_force.hpp>
-#include <yoke/core/check.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/joints/gravity.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/joints/translational_spring.hpp>
+
+#include <yoke/core/auto_constraint.hpp>
+#include <yoke/core/auto_force.hpp>
+#include <yoke/core/check.hpp>
 
 // A pendulum whose bob pin runs in an upright arc slot of a block on a spring.
 //
@@ -39,8 +41,8 @@
 //           ____ \_                slot in the block: arc of radius 80 mm, centre to the right,
 //   |/\/\/\|    (o |  block        half-width 6.1 mm; pin radius 6 mm, so 0.1 mm of clearance
 //
-// To be expected: pendulum and block swing together; the pin changes walls twice in each swing and
-// bounces a little there. What is missing in the energy of both is what the walls have dissipated.
+// To be expected: pendulum and block swing together; the pin changes walls now and then and bounces
+// there. What is missing in the energy of both is what the walls have dissipated.
 namespace pendulum_follower {
 
 using namespace yoke;

@@ -4,15 +4,7 @@
 // From the next line on: the program printed in README.md. documentation_test.cpp compares and
 // runs.
 
-#include <yoke/contact/arc_slot.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
-#include <yoke/contact/pin_in_slot.hpp>
-#include <yoke/contact/power_law.hpp>
-#include <yoke/core/units.hpp>
-#include <yoke/integrators/simulate.hpp>
-#include <yoke/joints/angle_driver.hpp>
-#include <yoke/joints/prismatic.hpp>
-#include <yoke/joints/revolute.hpp>
+#include <yoke/yoke.hpp>  // everything; or header by header, <yoke/joints/revolute.hpp>
 
 using namespace yoke;
 using namespace yoke::literals;

@@ -285,9 +285,9 @@ TEST_CASE(
   }
   CHECK(was_lifted);
   CHECK(kinds(scene) == "onset release onset");
-  CHECK(scene.records[1].value > 1e-6);
-  CHECK(scene.records[2].value < scene.records[1].value);
-  CHECK(scene.records[2].value > 1e-6);
+  CHECK(scene.records[1].penetration > 1e-6);
+  CHECK(scene.records[2].penetration < scene.records[1].penetration);
+  CHECK(scene.records[2].penetration > 1e-6);
   CHECK(least_force == 0.0);
   CHECK(run.lowest_power >= 0.0);
   CHECK(scene.memory.onset_time == 0.0);  // the same contact
@@ -314,15 +314,15 @@ TEST_CASE("a dent is met again at its bottom, on the unloading line, until it is
   while (scene.records.size() < 3) run.advance(scene.t + 1e-6, 2e-7);
   CHECK(kinds(scene) == "onset turn release");
   const double set = scene.memory.permanent_set;
-  CHECK(set == Approx(scene.records[1].value * (1.0 - 0.49)).epsilon(1e-9));
+  CHECK(set == Approx(scene.records[1].penetration * (1.0 - 0.49)).epsilon(1e-9));
   CHECK(scene.memory.release_penetration == set);
 
   // Thrown back from within the dent: met at its bottom, and all of the speed returns.
   Run again(scene, 0.6 * set, 0.11, no_load);
   again.advance(scene.t + 6e-4, 2e-7);
   CHECK(kinds(scene) == "onset turn release onset release");
-  CHECK(scene.records[3].value == Approx(set));
-  CHECK(scene.records[4].value == Approx(set));
+  CHECK(scene.records[3].penetration == Approx(set));
+  CHECK(scene.records[4].penetration == Approx(set));
   CHECK(scene.records[4].speed == Approx(-0.11).epsilon(1e-6));
   CHECK(scene.memory.onset_time == 0.0);
   CHECK(std::abs(again.ledger_error()) < 1e-9);
@@ -341,9 +341,9 @@ TEST_CASE("a reload beyond the largest penetration is compression again, with a 
   run.advance(1.2e-3, 1e-7);
   CHECK(kinds(scene).find("onset turn reload turn") == 0);
   REQUIRE(scene.records.size() >= 4);
-  CHECK(scene.records[2].value == Approx(scene.records[1].value).epsilon(1e-5));
-  CHECK(scene.records[3].value > scene.records[2].value);
-  CHECK(scene.memory.largest_penetration >= scene.records[3].value);
+  CHECK(scene.records[2].penetration == Approx(scene.records[1].penetration).epsilon(1e-5));
+  CHECK(scene.records[3].penetration > scene.records[2].penetration);
+  CHECK(scene.memory.largest_penetration >= scene.records[3].penetration);
   CHECK(std::abs(run.ledger_error()) < 1e-8);
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include <yoke/contact/arc_slot.hpp>
 #include <yoke/contact/hunt_crossley.hpp>
@@ -20,6 +21,8 @@
 namespace yoke::tests {
 
 using namespace yoke::literals;
+
+inline const std::string both_formulations[] = {"arkode-projection", "ida-ggl"};
 
 /// Two uniform rods of 1 m and 1 kg in a row, horizontal, at rest, g = 9.81; at `origin`, the whole
 /// thing having been turned `turns` times before the start.
@@ -41,11 +44,10 @@ struct YokeOptions {
   double start_angle = -31.0_deg;  // [rad] whole turns may be added
   double alpha = 0.32;             // [s/m]
   Vec2 origin{0.0, 0.0};
-  bool dissipates = true;
 };
 
 /// The paper's scotch-yoke with Johnson's column of Table 11 (outer and inner walls, caps).
-inline Model scotch_yoke(const YokeOptions& o = {}) {
+inline Model scotch_yoke(const YokeOptions& o, const DissipativeLaw& dissipation) {
   const double r = o.crank_length, R = 60.0_mm, omega = 24.0 * pi, phi = o.start_angle;
   const double root = std::sqrt(R * R - std::pow(r * std::sin(phi), 2));
   const double X = r * std::cos(phi) + root;
@@ -64,9 +66,7 @@ inline Model scotch_yoke(const YokeOptions& o = {}) {
   m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = o.origin});
   m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(phi, omega)});
   m.add(Prismatic{.name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}});
-  const auto law = [&](double K, double n) {
-    return ContactLaw(per_mm(K, n), HuntCrossley{o.alpha});
-  };
+  const auto law = [&](double K, double n) { return ContactLaw(per_mm(K, n), dissipation); };
   m.add(PinInSlot{.name = "slot",
                   .pin = {crank, o.origin + rotate(phi, Vec2(r, 0.0)), 7.9_mm},
                   .slot = {slider, arc_slot({.center = o.origin + Vec2(X, 0.0),
@@ -76,6 +76,9 @@ inline Model scotch_yoke(const YokeOptions& o = {}) {
                                              .half_width = 8.0_mm})},
                   .law = {law(4.914e4, 1.10), law(4.907e4, 1.10), law(3.147e5, 1.28)}});
   return m;
+}
+inline Model scotch_yoke(const YokeOptions& o = {}) {
+  return scotch_yoke(o, HuntCrossley{o.alpha});
 }
 inline constexpr double yoke_period = 2.0 * pi / (24.0 * pi);  // [s]
 

@@ -49,14 +49,14 @@ struct Wall {
   std::string name;
   BodyId body;
   ContactLaw law;
-  double height = 0.0;  // [m] of the surface
+  double height = 0.0;   // [m] of the surface
   Vec2 point{0.0, 0.0};  // [m] in body axes
   double reference_force = 100.0;
 
   std::unique_ptr<ForceElement> build(const Model&) const {
-    return std::make_unique<ContactElement>(
-        name, body, ground, std::make_unique<WallGeometry>(body, point, height),
-        std::vector<ContactLaw>{law}, reference_force);
+    return std::make_unique<ContactElement>(name, body, ground,
+                                            std::make_unique<WallGeometry>(body, point, height),
+                                            std::vector<ContactLaw>{law}, reference_force);
   }
 };
 

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <yoke/core/error.hpp>
+#include <yoke/core/result.hpp>
+
+namespace {
+
+using namespace yoke;
+namespace fs = std::filesystem;
+
+/// A folder of its own that goes away.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "yoke-result-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::stringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+template <class Error, class Action>
+std::string error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// No file may grow beyond this many bytes: what a full disk looks like to the program.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
+TEST_CASE("column names carry units as identifiers") {
+  Table table;
+  table.add_column("t", "s");
+  table.add_column("crank.alpha", "rad/s^2");
+  table.add_column("pivot.moment", "N m");
+  table.add_column("slot.region", "", {"apart", "inner"});
+  table.add_column("share", "1");
+  CHECK(table.names() == std::vector<std::string>{"t_s", "crank.alpha_rad_per_s2",
+                                                  "pivot.moment_N_m", "slot.region", "share"});
+}
+
+TEST_CASE("a table comes back from its file with every bit") {
+  const double numbers[] = {0.1,
+                            -1.0 / 3.0,
+                            6.02214076e23,
+                            std::numeric_limits<double>::denorm_min(),
+                            std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::epsilon(),
+                            -0.0,
+                            0.30000000000000004};
+  Table table;
+  table.add_column("a", "m");
+  table.add_column("region", "", {"apart", "inner", "outer"});
+  table.add_column("b", "N");
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    double* row = table.append();
+    row[0] = numbers[i];
+    row[1] = static_cast<double>(i % 3);
+    row[2] = -numbers[i];
+  }
+  const Scratch scratch;
+  table.write_csv(scratch / "t.csv");
+  const auto lines = split(text_of(scratch / "t.csv"), '\n');
+  REQUIRE(lines.size() == 1 + std::size(numbers));
+  CHECK(lines[0] == "a_m,region,b_N");
+  for (std::size_t i = 0; i < std::size(numbers); ++i) {
+    const auto cells = split(lines[i + 1], ',');
+    REQUIRE(cells.size() == 3);
+    const double read = std::strtod(cells[0].c_str(), nullptr);
+    CHECK(std::memcmp(&read, &numbers[i], sizeof read) == 0);
+    CHECK(cells[1] == std::vector<std::string>{"apart", "inner", "outer"}[i % 3]);
+    CHECK(std::strtod(cells[2].c_str(), nullptr) == -numbers[i]);
+  }
+  CHECK(table["b_N"](1) == 1.0 / 3.0);
+  CHECK(table.text(4, 1) == "inner");
+}
+
+TEST_CASE("a column that is not there is refused with the ones that begin like it") {
+  Table table;
+  for (const char* name : {"crank.x", "crank.y", "slider.x"}) table.add_column(name, "m");
+  CHECK(error_of<ModelError>([&] { table["crank.z_m"]; }) ==
+        "unknown column 'crank.z_m'; there are 'crank.x_m', 'crank.y_m'");
+  CHECK(error_of<ModelError>([&] { table["rod.x_m"]; }) ==
+        "unknown column 'rod.x_m'; no column starts like it");
+  CHECK(table.has("slider.x_m"));
+  CHECK_FALSE(table.has("slider.x"));
+}
+
+TEST_CASE("appending within the reserved rows moves nothing") {
+  Table table;
+  table.add_column("a", "m");
+  table.add_column("b", "m");
+  table.reserve(100);
+  const double* first = table.append();
+  for (int i = 1; i < 100; ++i) table.append();
+  CHECK(table.rows() == 100);
+  CHECK(table.append() != nullptr);
+  CHECK(first != nullptr);
+}
+
+TEST_CASE("on a disk that fills up, whole rows stay and the file is named") {
+  Table table;
+  table.add_column("t", "s");
+  table.add_column("x", "m");
+  for (int i = 0; i < 20000; ++i) {
+    double* row = table.append();
+    row[0] = i / 7.0;
+    row[1] = -i / 3.0;
+  }
+  // Within the first block that is written, later, and cutting within the header line.
+  for (const rlim_t room : {rlim_t{20001}, rlim_t{333333}, rlim_t{3}}) {
+    CAPTURE(room);
+    const Scratch scratch;
+    const fs::path path = scratch / "motion.csv";
+    std::string message;
+    {
+      const FullDisk full(room);
+      message = error_of<OutputError>([&] { table.write_csv(path); });
+    }
+    CHECK(message == "cannot write '" + path.string() + "': File too large");
+    const std::string text = text_of(path);
+    CHECK(text.size() <= room);
+    CHECK((text.empty() || text.back() == '\n'));
+    CHECK(text.find('\0') == std::string::npos);
+    const auto lines = split(text, '\n');
+    if (room > 1000) CHECK(text.size() > room - 100);  // nothing whole was thrown away
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const auto cells = split(lines[i], ',');
+      REQUIRE(cells.size() == 2);
+      REQUIRE(std::strtod(cells[0].c_str(), nullptr) == static_cast<double>(i - 1) / 7.0);
+      REQUIRE(std::strtod(cells[1].c_str(), nullptr) == -static_cast<double>(i - 1) / 3.0);
+    }
+  }
+}
+
+TEST_CASE("folders that cannot be made or written are named with the reason") {
+  const Scratch scratch;
+  write_text(scratch / "file", "not a folder");
+  const fs::path below = scratch / "file/results";
+  CHECK(error_of<OutputError>([&] { make_output_folder(below); }) ==
+        "cannot make the output folder '" + below.string() + "': Not a directory");
+  CHECK(error_of<OutputError>([&] { Result().write(below); }) ==
+        "cannot make the output folder '" + below.string() + "': Not a directory");
+  const fs::path missing = scratch / "missing/motion.csv";
+  CHECK(error_of<OutputError>([&] { Table().write_csv(missing); }) ==
+        "cannot write '" + missing.string() + "': No such file or directory");
+  if (::geteuid() != 0) {  // root may write everywhere
+    const fs::path locked = scratch / "locked";
+    make_output_folder(locked);
+    fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
+    CHECK(error_of<OutputError>([&] { make_output_folder(locked); }) ==
+          "cannot write into the output folder '" + locked.string() + "': Permission denied");
+    fs::permissions(locked, fs::perms::owner_all);
+  }
+}
+
+TEST_CASE("a result is written as a table, events and a summary that parse") {
+  Result result;
+  result.samples.add_column("t", "s");
+  *result.samples.append() = 0.25;
+  result.events.push_back({.t = 1.0 / 3.0,
+                           .element = "slot",
+                           .kind = "onset",
+                           .region = "outer",
+                           .speed = 0.19,
+                           .penetration = -1e-17});
+  Summary& s = result.summary;
+  s.stop = Stop::interrupted;
+  s.reason = "stopped by \"Ctrl-C\"\n, line 2: d\u00e9j\u00e0";
+  s.formulation = "ida-ggl";
+  s.relative_tolerance = 1e-9;
+  s.t_end = 1.0 / 3.0;
+  s.steps = 12;
+  s.refactorisations = 30;
+  s.fresh_factorisations = 2;
+  s.energy_balance = std::numeric_limits<double>::quiet_NaN();
+  const Scratch scratch;
+  result.write(scratch / "a/b");
+
+  CHECK(text_of(scratch / "a/b/motion.csv") == "t_s\n0.25\n");
+  const auto lines = split(text_of(scratch / "a/b/events.csv"), '\n');
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0] == "t_s,kind,region,speed_m_per_s,penetration_m,element");
+  const auto cells = split(lines[1], ',');
+  REQUIRE(cells.size() == 6);
+  CHECK(std::stod(cells[0]) == 1.0 / 3.0);
+  CHECK(cells[1] == "onset");
+  CHECK(cells[2] == "outer");
+  CHECK(std::stod(cells[3]) == 0.19);
+  CHECK(std::stod(cells[4]) == -1e-17);
+  CHECK(cells[5] == "slot");
+
+  const auto json = nlohmann::json::parse(text_of(scratch / "a/b/summary.json"));
+  CHECK(json["stop"] == "interrupted");
+  CHECK(json["reason"] == s.reason);
+  CHECK(json["formulation"] == "ida-ggl");
+  CHECK(json["t_end_s"] == 1.0 / 3.0);
+  CHECK(json["steps"] == 12);
+  CHECK(json["factorisations"] == 32);
+  CHECK(json["energy_balance_J"].is_null());
+}
