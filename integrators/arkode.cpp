@@ -26,6 +26,8 @@ namespace {
 constexpr int max_error_test_failures = 30;
 constexpr ARKODE_ERKTableID method = ARKODE_DORMAND_PRINCE_7_4_5;
 constexpr int max_polish_iterations = 6;
+// Of the step: secant steps converge with order 1.6, so the next one would move by 1e-11 of it.
+constexpr double polished = 1e-7;
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
 
@@ -258,7 +260,7 @@ double Arkode::calc_event(int slot, double t) {
 void Arkode::polish_root() {
   const auto slot = static_cast<int>(std::ranges::find(found_, 1) - found_.begin());
   if (slot == guard_.count()) return;
-  const double h = t_ - t_begin_, resolvable = 4e-16 * (std::abs(t_) + h);
+  const double h = t_ - t_begin_, close_enough = polished * h;
   double t_limit = t_;
   ERKStepGetCurrentTime(memory_, &t_limit);
   double t_last = t_ - 1e-3 * h, g_last = calc_event(slot, t_last);
@@ -267,7 +269,7 @@ void Arkode::polish_root() {
     const double t_next = t - g * (t - t_last) / (g - g_last);
     if (!(std::abs(t_next - t_) < 0.1 * h && t_next <= t_limit)) break;  // NaN too
     t_last = std::exchange(t, t_next);
-    if (std::abs(t - t_last) <= resolvable) {
+    if (std::abs(t - t_last) <= close_enough) {
       t_ = t;
       break;
     }

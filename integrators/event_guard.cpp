@@ -9,6 +9,7 @@ namespace yoke {
 EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   const auto count = static_cast<std::size_t>(dynamics.system().events());
   last_.assign(count, -1.0);
+  seen_ = last_;
   armed_.assign(count, 0);
   fired_.reserve(count);
   passed_.reserve(count);
@@ -27,17 +28,22 @@ void EventGuard::start(double t, const double* q, const double* v, const double*
 }
 
 bool EventGuard::evaluate(double t, const double* q, const double* v, const double* z, double* g) {
-  calc(t, q, v, z, g);
+  calc(t, q, v, z, seen_.data());
+  t_seen_ = t;
   for (std::size_t i = 0; i < last_.size(); ++i) {
-    if (!std::isfinite(g[i])) return false;
-    if (armed_[i] == 0) g[i] = -1.0;
+    if (!std::isfinite(seen_[i])) return false;
+    g[i] = armed_[i] == 0 ? -1.0 : seen_[i];
   }
   return true;
 }
 
 void EventGuard::accept(double t, const double* q, const double* v, const double* z) {
   if (last_.empty()) return;
-  calc(t, q, v, z, last_.data());
+  if (t == t_seen_) {  // the root finder has just looked there
+    last_ = seen_;
+  } else {
+    calc(t, q, v, z, last_.data());
+  }
   for (std::size_t i = 0; i < last_.size(); ++i)
     if (last_[i] < 0.0) armed_[i] = 1;
 }

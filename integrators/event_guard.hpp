@@ -36,6 +36,8 @@ class EventGuard {
 
   Dynamics& dynamics_;
   std::vector<double> last_;
+  std::vector<double> seen_;  // by the root finder last, before hiding
+  double t_seen_ = 0.0;
   std::vector<char> armed_;
   std::vector<int> fired_, passed_;
 };
