@@ -109,11 +109,11 @@ bool Dynamics::calc_accelerations(double t, const double* q, const double* v, co
   }
   if (!reuse && !factorise_at(t, q)) return false;
 
-  // The ground's share of Q goes behind the solution vector; b_ is split, so Q gets its own home.
+  // Forces on the ground are collected in b_[n], which belongs to gamma: it is put back afterwards.
   std::fill_n(b_.begin(), n, 0.0);
-  const double first_gamma = system_.rows() > 0 ? gamma[0] : 0.0;
+  const double first_gamma = gamma[0];
   system_.add_forces(b_.data(), z_dot, quadrature_rates);
-  gamma[0] = first_gamma;  // b_[n], where the ground's share was collected
+  gamma[0] = first_gamma;
   lu_->solve(b_.data());
 
   double sum = 0.0;
@@ -209,7 +209,6 @@ Outcome Dynamics::explain_singular(const State& state) {
   system_.calc_position_level(phi_.data());
   const std::vector<int> dependent = find_dependent_rows(system_);
   if (dependent.empty()) return {false, "the mass matrix or a joint is singular at the start pose"};
-  system_.calc_velocity_residual(residual_.data());
   std::string names;
   for (const int row : dependent)
     names += (names.empty() ? "'" : ", '") + system_.equation_name(row) + "'";

@@ -11,6 +11,7 @@
 #include <arkode/arkode_erkstep.h>
 #include <nvector/nvector_serial.h>
 
+#include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/formulation.hpp>
 
@@ -44,23 +45,13 @@ class Arkode final : public Formulation {
   const std::vector<int>& fired() const override { return guard_.fired(); }
   const std::vector<int>& passed() const override { return guard_.passed(); }
   StepCounters counters() const override;
-  std::string failure() const override { return failure_; }
+  std::string failure() const override { return failure_.text; }
 
  private:
   static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
   static int project(sunrealtype t, N_Vector y, void* self);
   bool project(double t, double* y);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
-  /// Exceptions of users' functions must not pass through SUNDIALS.
-  template <class F>
-  int guarded(F&& callback) noexcept {
-    try {
-      return callback();
-    } catch (const std::exception& error) {
-      failure_ = error.what();
-      return -1;
-    }
-  }
   static void on_error(int code, const char* module, const char* function, char* message,
                        void* self);
   bool calc_rates(double t, const double* y, double* y_dot);
@@ -100,7 +91,7 @@ class Arkode final : public Formulation {
   double t_stop_ = 0.0;
   std::vector<int> found_;
   StepCounters before_;  // of integrations before the last restart
-  std::string failure_;
+  CallbackFailure failure_;
 };
 
 Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
@@ -117,7 +108,7 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
   y_ = N_VNew_Serial(size_, context_);
   weights_ = N_VNew_Serial(size_, context_);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
-  failure_.reserve(512);
+  failure_.text.reserve(512);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   q_ = q_start_;
   table_ = ARKodeButcherTable_LoadERK(method);
@@ -306,7 +297,7 @@ StepCounters Arkode::counters() const {
 
 int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
   auto& me = *static_cast<Arkode*>(self);
-  return me.guarded([&] {
+  return me.failure_.guard([&] {
     return me.calc_rates(t, NV_DATA_S(y), NV_DATA_S(y_dot)) ? 0 : 1;  // 1: try a shorter step
   });
 }
@@ -320,7 +311,7 @@ bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
 
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
   auto& me = *static_cast<Arkode*>(self);
-  return me.guarded([&] { return me.project(t, NV_DATA_S(y_vector)) ? 0 : -1; });
+  return me.failure_.guard([&] { return me.project(t, NV_DATA_S(y_vector)) ? 0 : -1; });
 }
 
 bool Arkode::project(double t, double* y) {
@@ -333,27 +324,27 @@ bool Arkode::project(double t, double* y) {
       y[i] = projected;
     }
     if (moved < largest_projection) return true;
-    failure_ = fmt::format(
+    failure_.text = fmt::format(
         "a driver or joint jumps: the projection would move the mechanism by "
         "{:.0e} times the tolerance in one step",
         moved);
     return false;
   }
-  failure_ = fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
-                         dynamics_.system().equation_name(dynamics_.worst_row()));
+  failure_.text =
+      fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
+                  dynamics_.system().equation_name(dynamics_.worst_row()));
   return false;
 }
 
 int Arkode::events(sunrealtype t, N_Vector y_vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<Arkode*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guarded(
+  return me.failure_.guard(
       [&] { return me.guard_.evaluate(t, me.q_of(y), me.v_of(y), me.z_of(y), g) ? 0 : -1; });
 }
 
 void Arkode::on_error(int code, const char*, const char*, char* message, void* self) {
-  auto& me = *static_cast<Arkode*>(self);
-  if (code < 0 && me.failure_.empty()) me.failure_ = message;
+  static_cast<Arkode*>(self)->failure_.report(code, message);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
+#include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/formulation.hpp>
 #include <yoke/integrators/ggl_matrix.hpp>
@@ -38,7 +39,7 @@ class IdaGgl final : public Formulation {
   const std::vector<int>& fired() const override { return guard_.fired(); }
   const std::vector<int>& passed() const override { return guard_.passed(); }
   StepCounters counters() const override;
-  std::string failure() const override { return failure_; }
+  std::string failure() const override { return failure_.text; }
 
  private:
   static int residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self);
@@ -49,16 +50,6 @@ class IdaGgl final : public Formulation {
   static int setup(SUNLinearSolver solver, SUNMatrix matrix);
   static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
                    sunrealtype tolerance);
-  /// Exceptions of users' functions must not pass through SUNDIALS.
-  template <class F>
-  int guarded(F&& callback) noexcept {
-    try {
-      return callback();
-    } catch (const std::exception& error) {
-      failure_ = error.what();
-      return -1;
-    }
-  }
   static void on_error(int code, const char* module, const char* function, char* message,
                        void* self);
   void create_matrix_and_solver();
@@ -88,7 +79,7 @@ class IdaGgl final : public Formulation {
   double t_stop_ = 0.0;
   std::vector<int> found_;
   StepCounters before_;
-  std::string failure_;
+  CallbackFailure failure_;
 };
 
 IdaGgl::IdaGgl(Dynamics& dynamics, const Tolerances& tolerances)
@@ -110,7 +101,7 @@ IdaGgl::IdaGgl(Dynamics& dynamics, const Tolerances& tolerances)
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
   lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
-  failure_.reserve(512);
+  failure_.text.reserve(512);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   absolute_.assign(static_cast<std::size_t>(size_), 0.0);
   create_matrix_and_solver();
@@ -263,7 +254,7 @@ StepCounters IdaGgl::counters() const {
 
 int IdaGgl::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
-  return me.guarded([&] {
+  return me.failure_.guard([&] {
     // 1: try a shorter step
     return me.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r)) ? 0 : 1;
   });
@@ -286,7 +277,7 @@ bool IdaGgl::calc_residual(double t, const double* y, const double* y_dot, doubl
 int IdaGgl::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector, SUNMatrix,
                      void* self, N_Vector, N_Vector, N_Vector) {
   auto& me = *static_cast<IdaGgl*>(self);
-  return me.guarded([&] {
+  return me.failure_.guard([&] {
     me.shift_ = c;
     me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)));
     return 0;
@@ -309,13 +300,12 @@ int IdaGgl::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sun
 int IdaGgl::events(sunrealtype t, N_Vector y_vector, N_Vector, sunrealtype* g, void* self) {
   auto& me = *static_cast<IdaGgl*>(self);
   const double* y = NV_DATA_S(y_vector);
-  return me.guarded(
+  return me.failure_.guard(
       [&] { return me.guard_.evaluate(t, me.absolute(y), y + me.n_, y + 2 * me.n_, g) ? 0 : -1; });
 }
 
 void IdaGgl::on_error(int code, const char*, const char*, char* message, void* self) {
-  auto& me = *static_cast<IdaGgl*>(self);
-  if (code < 0 && me.failure_.empty()) me.failure_ = message;
+  static_cast<IdaGgl*>(self)->failure_.report(code, message);
 }
 
 }  // namespace
