@@ -4,6 +4,7 @@
 // The documents `yoke validate` prints. Each measures; none holds a number of its own.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace yoke::cases {
@@ -11,5 +12,11 @@ namespace yoke::cases {
 /// The scotch-yoke (defaults, Johnson's column of Table 11) by both integrators as the tolerance is
 /// tightened: distance to a reference run, amplification of a perturbation, energy ledger, drift.
 std::string convergence_document();
+
+/// Central impacts: every dissipative law x elastic law x restitution asked for, by both
+/// integrators, against the law's closed form.
+std::string impacts_document();
+/// The same as impacts.md, impacts.csv and impacts.json.
+void write_impacts(const std::filesystem::path& folder);
 
 }  // namespace yoke::cases

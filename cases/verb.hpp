@@ -20,6 +20,8 @@ using Action = std::function<int()>;
 void add_run_verb(CLI::App& app, Action& action);
 void add_study_verb(CLI::App& app, Action& action);
 void add_validate_verb(CLI::App& app, Action& action);
+void add_law_verb(CLI::App& app, Action& action);
+void add_impact_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

@@ -4,6 +4,7 @@
 // yoke validate TOPIC: measures the engine against what it promises and prints a Markdown document,
 // for docs/validation/TOPIC.md. A topic is a file of its own and a line here.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,12 +21,15 @@ struct Topic {
   const char* name;
   const char* description;
   std::string (*document)();
+  void (*write)(const std::filesystem::path& folder) = nullptr;  // document and data
 };
 
 const std::vector<Topic> topics = {
     {"convergence",
      "both integrators towards each other, energy ledger and drift on the scotch-yoke",
      convergence_document},
+    {"impacts", "every dissipative law against its closed form, by both integrators",
+     impacts_document, write_impacts},
 };
 
 }  // namespace
@@ -37,15 +41,17 @@ void add_validate_verb(CLI::App& app, Action& action) {
   for (const Topic& topic : topics) {
     CLI::App* sub = verb->add_subcommand(topic.name, topic.description);
     auto output = std::make_shared<std::string>();
-    sub->add_option("-o,--output", *output, "File to write instead of the standard output");
+    sub->add_option("-o,--output", *output,
+                    topic.write ? "Folder for the document, CSV and JSON instead"
+                                : "File to write instead of the standard output");
     sub->callback([&topic, output, &action] {
       action = [&topic, output] {
-        const std::string text = topic.document();
-        if (output->empty()) {
-          std::fputs(text.c_str(), stdout);
-        } else {
-          write_text(*output, text);
-        }
+        if (output->empty())
+          std::fputs(topic.document().c_str(), stdout);
+        else if (topic.write)
+          topic.write(*output);
+        else
+          write_text(*output, topic.document());
         return exit_ok;
       };
     });

@@ -22,6 +22,8 @@ int run(int argc, char** argv) {
   add_run_verb(app, action);
   add_study_verb(app, action);
   add_validate_verb(app, action);
+  add_law_verb(app, action);
+  add_impact_verb(app, action);
   add_list_verb(app, action);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);

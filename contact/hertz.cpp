@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <yoke/core/types.hpp>
+
 namespace yoke {
 
 PowerLaw hertz(double modulus, double relative_radius) {
@@ -15,6 +17,17 @@ PowerLaw hertz(double modulus, double relative_radius) {
 PowerLaw hertz(const RoundPair& pair) {
   pair.check("hertz");
   return hertz(pair.modulus(), pair.relative_radius());
+}
+
+PowerLaw lankarani_nikravesh(const RoundPair& pair, double length, Reading reading) {
+  pair.check("lankarani-nikravesh");
+  PowerLaw law = hertz(pair.modulus(), pair.relative_radius());
+  law.label = "lankarani-nikravesh";
+  if (reading == Reading::tabulated) {
+    require_positive("law 'lankarani-nikravesh'", "length", length, "m");
+    law.K *= pi * length / 10e-3;
+  }
+  return law;
 }
 
 }  // namespace yoke

@@ -36,4 +36,11 @@ double RoundPair::radius_difference() const {
   return conformity == Conformity::external ? wall_radius + pin_radius : wall_radius - pin_radius;
 }
 
+double RoundPair::printed_radius_difference(std::string_view law) const {
+  const double difference = std::abs(wall_radius - pin_radius);
+  require_positive(fmt::format("law '{}', as printed or tabulated", law),
+                   "wall_radius - pin_radius", difference, "m");
+  return difference;
+}
+
 }  // namespace yoke

@@ -40,6 +40,9 @@ struct RoundPair {
   double modulus() const { return composite_modulus(pin, wall); }  ///< [Pa] E*
   /// [m] Delta R: sum of the radii (external) or wall minus pin (internal).
   double radius_difference() const;
+  /// [m] |R_wall - R_pin| whichever way they lie, as some formulas are printed. Throws ModelError
+  /// that names the law if it is zero.
+  double printed_radius_difference(std::string_view law) const;
   /// [m] R = R_pin R_wall / Delta R.
   double relative_radius() const { return pin_radius * wall_radius / radius_difference(); }
 };
