@@ -53,8 +53,7 @@ std::optional<double> length_of(std::string_view owner, const std::string& text)
 
 void add_elastic_options(CLI::App& verb, ElasticOptions& o) {
   verb.add_option("--elastic", o.elastic,
-                  "Elastic law: a name of 'yoke law list', or "
-                  "power:K=1e8,n=1.5 (N/m^n)")
+                  "Elastic law: a name of 'yoke law list', or power:K=1e8,n=1.5 (N/m^n)")
       ->type_name("NAME");
   verb.add_option("--reading", o.reading, "consistent, printed or tabulated")
       ->type_name("NAME")
@@ -145,9 +144,7 @@ ElasticArguments elastic_arguments(const ElasticOptions& o) {
 
 ElasticLaw elastic_law(const ElasticOptions& o) {
   if (o.elastic.empty())
-    throw ModelError(
-        "--elastic is missing: a name of 'yoke law list', or "
-        "power:K=1e8,n=1.5");
+    throw ModelError("--elastic is missing: a name of 'yoke law list', or power:K=1e8,n=1.5");
   const std::string_view name = std::string_view(o.elastic).substr(0, o.elastic.find(':'));
   const ElasticNote& note = find_elastic(name);
   const ElasticArguments arguments = elastic_arguments(o);

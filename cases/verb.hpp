@@ -22,6 +22,7 @@ void add_study_verb(CLI::App& app, Action& action);
 void add_validate_verb(CLI::App& app, Action& action);
 void add_law_verb(CLI::App& app, Action& action);
 void add_impact_verb(CLI::App& app, Action& action);
+void add_reproduce_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

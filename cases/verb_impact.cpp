@@ -4,7 +4,7 @@
 // yoke impact: one central impact through the engine, and what the law's own closed form says.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -105,9 +105,8 @@ void print_json(const ImpactOptions& o, const Impact& impact, const Report& r) {
 
 void print_csv(const Report& r) {
   fmt::print(
-      "restitution_asked,restitution_closed_form,restitution_engine,max_"
-      "penetration_m,"
-      "max_force_N,duration_s,dissipated_J,kinetic_loss_J,permanent_set_m\n");
+      "restitution_asked,restitution_closed_form,restitution_engine,max_penetration_m,max_force_N,"
+      "duration_s,dissipated_J,kinetic_loss_J,permanent_set_m\n");
   const ImpactOutcome& x = r.outcome;
   fmt::print("{},{},{},{},{},{},{},{},{}\n", cell(r.asked), cell(r.closed_form),
              exactly(x.restitution), exactly(x.max_penetration), exactly(x.max_force),
@@ -148,10 +147,8 @@ void plot_loop(const ImpactOptions& o, const std::vector<LoopPoint>& loop) {
       .width = 900,
       .height = 650,
       .body =
-          "set key off\nset grid\nset xlabel \"penetration "
-          "[um]\"\nset ylabel \"force [N]\"\n"
-          "plot \"loop.csv\" every ::1 using ($2*1e6):4 "
-          "with lines linewidth 2\n"};
+          "set key off\nset grid\nset xlabel \"penetration [um]\"\nset ylabel \"force [N]\"\nplot "
+          "\"loop.csv\" every ::1 using ($2*1e6):4 with lines linewidth 2\n"};
   std::fprintf(stderr, "yoke: %s\n", draw_figures({figure}, folder, 1).c_str());
 }
 

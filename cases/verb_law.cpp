@@ -168,8 +168,8 @@ int fit(FitOptions o) {
   const double K_mm = f.K * std::pow(1000.0, -f.n);
   if (o.format == "csv") {
     fmt::print(
-        "K_N_per_m_n,n,K_N_per_mm_n,max_relative_error,rms_relative_error,"
-        "relative_error_at_small_load,max_load_N,samples\n");
+        "K_N_per_m_n,n,K_N_per_mm_n,max_relative_error,rms_relative_error,relative_error_at_small_"
+        "load,max_load_N,samples\n");
     fmt::print("{},{},{},{},{},{},{},{}\n", exactly(f.K), exactly(f.n), exactly(K_mm),
                exactly(f.max_error), exactly(f.rms_error), exactly(f.error_at_small_load),
                exactly(f.max_load), f.samples);

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_validate_verb(app, action);
   add_law_verb(app, action);
   add_impact_verb(app, action);
+  add_reproduce_verb(app, action);
   add_list_verb(app, action);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);

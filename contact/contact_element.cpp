@@ -174,10 +174,8 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
   const double d = k.penetration, d_rate = rate(k, in.motion);
 
   g[release] = memory.permanent_set - d;
-  // At d = 0 itself `release` is the sharper function: a force may vanish there with zero slope.
-  if (here.dissipation.release() == Release::at_zero_force &&
-      d > memory.permanent_set + 2.0 * touch_tolerance)
-    g[pull_off] = -here.evaluate({d, d_rate, memory}).force;
+  if (here.dissipation.release() == Release::at_zero_force)
+    g[pull_off] = calc_pull_off(here, memory, d, d_rate);
   if (here.dissipation.needs_largest_penetration()) {
     if (memory.phase == ContactPhase::compressing)
       g[turn] = -d_rate;
@@ -187,6 +185,16 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch_tolerance;
   if (std::isfinite(here.penetration_limit()))
     g[limit] = d - usable_share_of_limit * here.penetration_limit();
+}
+
+/// -force where it counts. At d = 0 itself `release` is the sharper function, as a force may vanish
+/// there with zero slope; but a force that clearly pulls there has passed zero earlier in the step.
+double ContactElement::calc_pull_off(const ContactLaw& here, const ContactMemory& memory, double d,
+                                     double d_rate) const {
+  const double force = here.evaluate({d, d_rate, memory}).force;
+  const double noise = here.elastic.response(d).stiffness * 2.0 * touch_tolerance;
+  const bool counts = d > memory.permanent_set + 2.0 * touch_tolerance || force < -noise;
+  return counts ? -force : -1.0;
 }
 
 // ---- transitions

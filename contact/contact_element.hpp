@@ -145,6 +145,8 @@ class ContactElement final : public ForceElement {
 
   void calc_events_apart(const ForceInput& in, double* g) const;
   void calc_events_in_contact(const ForceInput& in, double* g) const;
+  double calc_pull_off(const ContactLaw& here, const ContactMemory& memory, double d,
+                       double d_rate) const;
   double calc_regain(const ForceInput& in, double penetration) const;
 
   void handle_onset(EventContext& context) const;

@@ -209,6 +209,10 @@ const std::vector<Entry>& entries() {
         .persistent = "floor slowest_approach on v_i in eps = epsilon v_i/w; beyond eps damped "
                       "with the ratio xi",
         .caveats = {"the force steps by exp(-2 q) c v_i at first touch",
+                    "where the force pulls and is clamped, the contact lets go, may press once "
+                    "more near d = 0 because T fades before the spring does, and lets go again",
+                    "kinks at d = eps, where no event is located: tighten the tolerance by a "
+                    "decade for 1e-8",
                     "needs a linear elastic law; with another the local stiffness takes the place "
                     "of K and the derivative of the force is not exact"},
         .parameters = {{"restitution", "1, 0.001 to 1"},

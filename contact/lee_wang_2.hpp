@@ -13,6 +13,10 @@
 // and the more the wider the transition: for e = 0.5 and q = 3, 0.554 with a share of 0.1, 0.755
 // with 0.5. The force steps at first touch by exp(-2 q) of c v_i and pulls at the end unless q and
 // eps are large. e = 0 is refused. v_i enters through eps and has the floor `slowest_approach`.
+//
+// Lee and Wang ask for q and eps with which the force never pulls. Where it does and is clamped,
+// the contact lets go, may press once more because T fades before the spring does, and lets go
+// again just before d = 0.
 #pragma once
 
 #include <algorithm>

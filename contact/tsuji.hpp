@@ -8,10 +8,10 @@
 // F_e/d = K d^(n-1) and F_e d/U = n + 1, that is c = 2 xi sqrt(m_r) F_e/sqrt(2 U), which is how it
 // is written here and how it takes any elastic law.
 //
-// Delivered: exactly e if the tensile phase is kept, as Tsuji did; clamped, 0.902 for e = 0.9,
-// 0.550 for 0.5, 0.253 for 0.1. The force pulls at the end, by up to 14 % of the largest force. e =
-// 0 would never separate and is refused. No floor on v_i is needed: c depends on the effective mass
-// of the onset alone, and a lasting contact is damped with a ratio of about xi.
+// Delivered: exactly e if the tensile phase is kept, as the curve implies; clamped, 0.902 for e =
+// 0.9, 0.550 for 0.5, 0.253 for 0.1. The force pulls at the end, by up to 14 % of the largest
+// force. e = 0 would never separate and is refused. No floor on v_i is needed: c depends on the
+// effective mass of the onset alone, and a lasting contact is damped with a ratio of about xi.
 #pragma once
 
 #include <string>

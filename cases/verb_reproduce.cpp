@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// yoke reproduce tables: what Machines 2022, 10, 966 says of the laws themselves, made again.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <yoke/cases/reproduce.hpp>
+#include <yoke/cases/verb.hpp>
+
+namespace yoke::cases {
+
+void add_reproduce_verb(CLI::App& app, Action& action) {
+  CLI::App* verb =
+      app.add_subcommand("reproduce", "Make the paper's tables of the contact laws again");
+  verb->require_subcommand(1);
+
+  CLI::App* tables = verb->add_subcommand(
+      "tables", "Tables 2 to 9 and 11: published, reproduced, corrected; prints Markdown");
+  auto folder = std::make_shared<std::string>();
+  tables->add_option("-o,--output", *folder, "Folder for the document and CSV instead");
+  tables->callback([folder, &action] {
+    action = [folder] {
+      if (folder->empty())
+        std::fputs(tables_document().c_str(), stdout);
+      else
+        write_tables(*folder);
+      return exit_ok;
+    };
+  });
+}
+
+}  // namespace yoke::cases
