@@ -37,4 +37,8 @@ std::string tables_document();
 /// The same as tables.md and tables.csv.
 void write_tables(const std::filesystem::path& folder);
 
+/// Figures 3, 6 and 10 from the laws: data, gnuplot scripts and pictures. Returns what to tell the
+/// user.
+std::string write_figures(const std::filesystem::path& folder);
+
 }  // namespace yoke::cases

@@ -258,8 +258,12 @@ std::string tables_document() { return document(reproduce_tables()); }
 void write_tables(const std::filesystem::path& folder) {
   const std::vector<ReproducedEntry> entries = reproduce_tables();
   make_output_folder(folder);
-  write_text(folder / "tables.md", document(entries));
-  write_text(folder / "tables.csv", csv(entries));
+  const auto write = [&](const char* name, std::string text) {
+    text.pop_back();  // write_text ends the last line
+    write_text(folder / name, text);
+  };
+  write("tables.md", document(entries));
+  write("tables.csv", csv(entries));
 }
 
 }  // namespace yoke::cases

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// yoke reproduce tables: what Machines 2022, 10, 966 says of the laws themselves, made again.
+// yoke reproduce tables|figures: what Machines 2022, 10, 966 says of the laws themselves, made
+// again.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,8 +13,8 @@
 namespace yoke::cases {
 
 void add_reproduce_verb(CLI::App& app, Action& action) {
-  CLI::App* verb =
-      app.add_subcommand("reproduce", "Make the paper's tables of the contact laws again");
+  CLI::App* verb = app.add_subcommand(
+      "reproduce", "Make the paper's tables and figures of the contact laws again");
   verb->require_subcommand(1);
 
   CLI::App* tables = verb->add_subcommand(
@@ -26,6 +27,17 @@ void add_reproduce_verb(CLI::App& app, Action& action) {
         std::fputs(tables_document().c_str(), stdout);
       else
         write_tables(*folder);
+      return exit_ok;
+    };
+  });
+
+  CLI::App* figures = verb->add_subcommand(
+      "figures", "Figures 3, 6 and 10: transition function, Tsuji's coefficient, one stiffness");
+  auto pictures = std::make_shared<std::string>();
+  figures->add_option("-o,--output", *pictures, "Folder for data and pictures")->required();
+  figures->callback([pictures, &action] {
+    action = [pictures] {
+      std::puts(write_figures(*pictures).c_str());
       return exit_ok;
     };
   });

@@ -15,6 +15,7 @@
 
 #include <yoke/cases/request.hpp>
 #include <yoke/core/check.hpp>
+#include <yoke/tests/cases/adding_a_law_example.hpp>
 #include <yoke/tests/cases/authoring_example.hpp>
 #include <yoke/tests/cases/embedding_example.hpp>
 
@@ -187,4 +188,42 @@ TEST_CASE("docs/embedding.md: sweeps, results, pieces, outcomes") {
   fs::remove_all("results");
   fs::create_symlink("blocked", "results");
   CHECK(embedding::outcome(model, {.until = 0.1}).starts_with("results were not written"));
+}
+
+TEST_CASE("the code in docs/adding_a_law.md is compiled here, its entries fit the catalogs") {
+  const fs::path example = "tests/cases/adding_a_law_example.hpp";
+  check_blocks("docs/adding_a_law.md", "cpp", 8, {example});
+  for (const fs::path catalog :
+       {"contact/elastic_catalog.cpp", "contact/dissipative_catalog.cpp"}) {
+    const std::string source = content(catalog);
+    const std::size_t begin = source.find("struct Entry {");
+    REQUIRE(begin != std::string::npos);
+    INFO(catalog.string());
+    CHECK(content(example).find(source.substr(begin, source.find("};", begin) - begin)) !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("docs/adding_a_law.md: laws from outside the library") {
+  using namespace adding_a_law;
+  const yoke::ElasticLaw elastic = Palmgren{.length = 0.01};
+  // 3.84e-5 F^0.9/L^0.8 at 1000 N, 10 mm, in mm.
+  CHECK(elastic.penetration_at(1000.0) ==
+        doctest::Approx(3.84e-8 * std::pow(1000.0, 0.9) / std::pow(10.0, 0.8)).epsilon(1e-12));
+  CHECK(elastic.response(0.0).force == 0.0);
+  CHECK(departure(elastic, ZhiyingQishao{.e = 0.8}) < 1e-6);
+  CHECK_THROWS_AS(yoke::ElasticLaw(Palmgren{.length = -1.0}), yoke::ModelError);
+  CHECK_THROWS_AS(yoke::DissipativeLaw(ZhiyingQishao{.e = 1.2}), yoke::ModelError);
+
+  const double X = ZhiyingQishao{.e = 0.8}.damping();
+  CHECK(yoke::restitution_of_damping(X) == doctest::Approx(0.786).epsilon(1e-3));
+  CHECK(example() == doctest::Approx(yoke::restitution_of_damping(X)).epsilon(1e-5));
+
+  CHECK(elastic_shape::entries()[0].make({}, 0.01, yoke::Reading::consistent).name() == "palmgren");
+  const dissipative_shape::Entry entry = dissipative_shape::entries()[0];
+  CHECK(entry.make({.restitution = 0.8}).name() == "zhiying-qishao");
+  CHECK(entry.delivers({.restitution = 0.9}, 1.5, 0.3).value() ==
+        doctest::Approx(0.896).epsilon(2e-3));
+  CHECK(entry.delivers({.restitution = 0.5}, 1.5, 0.3).value() ==
+        doctest::Approx(0.483).epsilon(2e-3));
 }
