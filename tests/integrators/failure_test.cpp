@@ -102,3 +102,23 @@ TEST_CASE("an observer stops the run and keeps what was computed") {
   CHECK(run.summary.t_end < 0.5);
   CHECK(run.samples.rows() >= 400);
 }
+
+TEST_CASE("a driver whose rate is not the derivative of its value is refused, a fast one is not") {
+  const auto driven = [](double factor, double frequency) {
+    Model m = double_pendulum();
+    m.add(AngleDriver{.name = "motor",
+                      .body = m.find_body("a"),
+                      .angle = TimeFunction([=](double t) -> TimeValue {
+                        const double w = frequency, a = 0.01 / (w * w);
+                        return {a * std::sin(w * t), factor * a * w * std::cos(w * t),
+                                -a * w * w * std::sin(w * t)};
+                      })});
+    return m;
+  };
+  // 200 Hz over a long run: the differences of the check must not be coarser than the motion.
+  const SimulationOptions options{
+      .until = 100.0, .samples = 0, .observer = [](const Progress&) { return false; }};
+  CHECK(contains(message_of(driven(1.1, 1257.0), options),
+                 "driver 'motor': its rate is not the derivative"));
+  CHECK(message_of(driven(1.0, 1257.0), options) == "no error");
+}
