@@ -55,6 +55,13 @@ void System::lay_out_constraints() {
   }
   G_.assign(at(block), 0.0);
   phi_t_.assign(at(rows_), 0.0);
+  dropped_.assign(at(rows_), 0);
+}
+
+void System::drop_rows(const std::vector<int>& rows) {
+  std::ranges::fill(dropped_, 0);
+  for (const int row : rows) dropped_[at(row)] = 1;
+  dropped_rows_ = rows;
 }
 
 void System::lay_out_forces() {

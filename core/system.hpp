@@ -74,6 +74,11 @@ class System {
   /// "pivot: x" of constraint row i.
   std::string equation_name(int row) const;
   Measure measure(int row) const { return measure_[static_cast<std::size_t>(row)]; }
+  /// Dependent rows that are left out of every factorised system, as assembly found them: matrices
+  /// put a 1 on their diagonal, their multiplier is zero. Matrices built before do not know.
+  void drop_rows(const std::vector<int>& rows);
+  bool is_dropped(int row) const { return dropped_[static_cast<std::size_t>(row)] != 0; }
+  const std::vector<int>& dropped_rows() const { return dropped_rows_; }
   /// Names of the quadratures, "motor.work" or "slot.dissipated".
   std::vector<std::string> quadrature_names() const;
 
@@ -128,6 +133,8 @@ class System {
   std::vector<int> dof_;
   std::vector<double> mass_;
   std::vector<Measure> measure_;
+  std::vector<char> dropped_;  // [rows]
+  std::vector<int> dropped_rows_;
   std::vector<BodyMotion> bodies_;
   Motion motion_;
   std::vector<double> G_;
