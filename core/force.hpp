@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <yoke/core/contact_memory.hpp>
@@ -88,6 +89,10 @@ struct EventContext {
   std::function<void(double)> dissipate{};
   std::function<void(EventRecord)> record{};  // t and element are filled in
   std::function<void(std::string)> fail{};    // stops the run with this reason
+  std::function<void()> stop{};               // ends the run here, as asked for
+  /// A changeable parameter "element.name" of any element. Throws ModelError. A jump of energy that
+  /// its change makes is booked as work of this element, if it supplies().
+  std::function<double&(std::string_view)> parameter{};
 };
 
 /// How the force of an element depends on the state: what the sparsity pattern needs to know.
@@ -106,6 +111,9 @@ class ForceElement {
   Dependence dependence() const { return dependence_; }
   /// The bodies it acts on, in the order of its blocks. Gravity answers: all of the model.
   virtual std::vector<BodyId> bodies(const Model&) const { return bodies_; }
+
+  /// Asked once before a run, when the model is whole. Throws ModelError.
+  virtual void check(const Model&) const {}
 
   /// Fills what the request asks for. Innermost loop: must not allocate or throw.
   virtual void evaluate(const ForceInput& in, const ForceRequest& out) const = 0;

@@ -178,7 +178,7 @@ void write_events(const std::vector<EventRecord>& events, const std::filesystem:
 }
 
 std::string to_json(const Summary& s) {
-  const char* stop[] = {"completed", "interrupted", "failed"};
+  const char* stop[] = {"completed", "by_event", "interrupted", "failed"};
   const nlohmann::ordered_json json = {
       {"stop", stop[static_cast<int>(s.stop)]},
       {"reason", s.reason},

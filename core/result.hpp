@@ -50,7 +50,7 @@ class Table {
 };
 
 /// Why a run ended.
-enum class Stop { completed, interrupted, failed };
+enum class Stop { completed, by_event, interrupted, failed };
 
 /// How a run went.
 struct Summary {
@@ -80,7 +80,8 @@ struct Summary {
   double energy_exchanged = 0.0;  // [J] largest of energy moved between forms, for scale
   double wall_time = 0.0;         // [s]
 
-  bool ok() const { return stop == Stop::completed; }
+  /// Completed, or ended by an event as asked for.
+  bool ok() const { return stop == Stop::completed || stop == Stop::by_event; }
 };
 
 struct Result {

@@ -11,6 +11,7 @@
 #include <yoke/core/recorder.hpp>
 #include <yoke/integrators/formulation.hpp>
 #include <yoke/integrators/scales.hpp>
+#include <yoke/integrators/start_checks.hpp>
 
 namespace yoke {
 
@@ -34,21 +35,6 @@ const FormulationEntry& find_formulation(const std::string& name) {
   throw ModelError(fmt::format("unknown formulation '{}': there are {}", name, known));
 }
 
-void check_options(const SimulationOptions& options, double t_start) {
-  require_finite("simulation", "until", options.until);
-  if (!(options.until > t_start))
-    throw ModelError(fmt::format("simulation: until = {:g} s must be later than the start, {:g} s",
-                                 options.until, t_start));
-  require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
-  if (options.samples != 0 && options.samples < 2)
-    throw ModelError(
-        fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
-  for (const auto& [name, value] : {std::pair{"length_scale", options.length_scale},
-                                    {"time_scale", options.time_scale},
-                                    {"baumgarte_rate", options.baumgarte_rate}})
-    require_finite("simulation", name, value);
-}
-
 /// Work on the equations of motion.
 struct Cost {
   long evaluations = 0, refactorisations = 0, fresh = 0;
@@ -62,82 +48,6 @@ struct Cost {
   }
 };
 
-void check_state(const Model& model, const State& start) {
-  if (model.body_count() == 0)
-    throw ModelError("the model has no bodies: there is nothing to move");
-  const State own = model.start_state();
-  const auto check = [](const char* what, auto given, auto expected) {
-    if (given != expected)
-      throw ModelError(
-          fmt::format("the start state is not of this model: it has {} {}, the model {}", given,
-                      what, expected));
-  };
-  check("positions", start.q.size(), own.q.size());
-  check("velocities", start.v.size(), own.v.size());
-  check("element states", start.z.size(), own.z.size());
-  check("accelerations", start.a.size(), own.a.size());
-  check("multipliers", start.lambda.size(), own.lambda.size());
-  check("energies", start.energy.size(), own.energy.size());
-  check("parameters", start.parameters.size(), own.parameters.size());
-  check("contacts", start.contacts.size(), own.contacts.size());
-  require_finite("start state", "t", start.t);
-  for (const Eigen::VectorXd* values : {&start.q, &start.v, &start.z})
-    for (const double x : *values)
-      require_finite("start state", "a position, velocity or state", x);
-  for (const double x : start.parameters) require_finite("start state", "a parameter", x);
-}
-
-/// Is Phi_t of a driver the derivative of its Phi at time t? A difference of one size may be too
-/// coarse for a fast driver or lost in rounding; a wrong rate fits none. What cannot be evaluated
-/// is left to the run, which reports it with its time.
-bool rate_fits(System& system, const ConstraintSlot& c, const State& state, double t, double span) {
-  const auto rows = static_cast<std::size_t>(c.rows);
-  std::vector<double> before(rows), after(rows), rate(rows);
-  const auto evaluate = [&](double time, const ConstraintRequest& out) {
-    system.set_motion(time, state.q.data(), state.v.data());
-    c.element->evaluate(system.motion(), out);
-  };
-  const auto fits = [&](double h) {
-    evaluate(t - h, {.phi = before.data()});
-    evaluate(t + h, {.phi = after.data()});
-    evaluate(t, {.phi_t = rate.data()});
-    for (std::size_t i = 0; i < rows; ++i) {
-      const double change = (after[i] - before[i]) / (2.0 * h);
-      const double size = std::abs(after[i]) + std::abs(before[i]) + std::abs(t * rate[i]);
-      const double bound = 1e-3 * (std::abs(change) + std::abs(rate[i])) + 1e-15 * size / h;
-      if (std::abs(change - rate[i]) > bound) return false;
-    }
-    return true;
-  };
-  try {
-    return fits(1e-6 * span) || fits(1e-8 * span) || fits(1e-10 * span);
-  } catch (const std::exception&) {
-    return true;
-  }
-}
-
-/// A driver's rate must be the derivative of its value, or it does work that nobody accounts for.
-void check_drivers(System& system, const State& state, double until) {
-  constexpr int probes = 5;
-  const double span = until - state.t;
-  for (const ConstraintSlot& c : system.constraints()) {
-    if (!c.element->rheonomic()) continue;
-    int wrong = 0;
-    double t_wrong = 0.0;
-    for (int i = 0; i < probes; ++i) {
-      const double t = state.t + span * (0.07 + 0.19 * i);
-      if (rate_fits(system, c, state, t, span)) continue;
-      ++wrong;
-      t_wrong = t;
-    }
-    if (wrong >= 2)  // one probe may have met a corner
-      throw ModelError(
-          fmt::format("driver '{}': its rate is not the derivative of its value, for "
-                      "instance at t = {:g} s",
-                      c.element->name(), t_wrong));
-  }
-}
-
 /// One run: a state that moves, what is recorded of it, and the formulation that moves it.
 class Run {
  public:
@@ -150,9 +60,11 @@ class Run {
   void record_samples_up_to(double t);
   void record_at(double t);
   void record_event_state();
+  void record_last_row();
   double locate_events();
   double locate_crossing(int slot, double from, double to);
   bool handle_events(double t);
+  void handle_event(const ForceSlot& slot, int event);
   EventContext context_of(const ForceSlot& slot);
   bool too_many_events();
   bool stalls(double t);
@@ -183,6 +95,7 @@ class Run {
   double t_last_ = 0.0;
   int stalled_steps_ = 0;
   bool stopped_ = false;
+  bool parameters_changed_ = false;  // by the events being handled
 };
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
@@ -234,7 +147,16 @@ EventContext Run::context_of(const ForceSlot& slot) {
           .fail =
               [this, &slot](std::string reason) {
                 stop(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
-              }};
+              },
+          .stop =
+              [this, &slot] {
+                stop(Stop::by_event,
+                     fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
+              },
+          .parameter = [this](std::string_view name) -> double& {
+            parameters_changed_ = true;
+            return state_.parameters[dynamics_.system().model().find_parameter(name)];
+          }};
 }
 
 bool Run::initialise() {
@@ -276,6 +198,11 @@ void Run::record_event_state() {
   }
 }
 
+// A run that ends by an event ends with a row of its own.
+void Run::record_last_row() {
+  if (options_.samples > 0) recorder_->record(state_);
+}
+
 void Run::record_at(double t) {
   formulation_->interpolate(t, sample_);
   Summary& summary = result_.summary;
@@ -294,6 +221,7 @@ void Run::record_samples_up_to(double t) {
   if (next_sample_ >= options_.samples || sample_time(next_sample_) > t) return;
   const Cost before = cost();
   sample_.contacts = state_.contacts;
+  sample_.parameters = state_.parameters;
   while (!stopped_ && next_sample_ < options_.samples && sample_time(next_sample_) <= t) {
     record_at(sample_time(next_sample_));
     ++next_sample_;
@@ -355,18 +283,20 @@ bool Run::handle_events(double t) {
                                    state_.t));
     return false;
   }
-  const std::size_t events_before = result_.events.size();
   contacts_before_ = state_.contacts;
+  parameters_changed_ = false;
   for (const int fired : fired_) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
       if (fired < slot.events || fired >= slot.events + slot.element->events()) continue;
-      EventContext context = context_of(slot);
-      slot.element->handle_event(fired - slot.events, context);
+      handle_event(slot, fired - slot.events);
     }
   }
+  if (result_.summary.stop == Stop::by_event) {
+    dynamics_.calc_accelerations(state_);
+    record_last_row();
+  }
   if (stopped_) return false;
-  const bool changed =
-      result_.events.size() > events_before || !(state_.contacts == contacts_before_);
+  const bool changed = parameters_changed_ || !(state_.contacts == contacts_before_);
   if (!changed && t == formulation_->time()) return true;  // nothing to restart for
   if (too_many_events())
     stop(Stop::failed,
@@ -389,6 +319,15 @@ bool Run::handle_events(double t) {
   record_event_state();
   formulation_->start(state_);
   return true;
+}
+
+void Run::handle_event(const ForceSlot& slot, int event) {
+  EventContext context = context_of(slot);
+  const EnergyTerms before = dynamics_.system().calc_energy();
+  slot.element->handle_event(event, context);
+  if (!parameters_changed_ || slot.supplied < 0) return;
+  const EnergyTerms after = dynamics_.system().calc_energy();
+  state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
 }
 
 // IDA goes on for ever with steps that no longer move the time.
@@ -502,6 +441,7 @@ Result Run::go() {
 }  // namespace
 
 Result simulate(const Model& model, const State& start, const SimulationOptions& options) {
+  check_model(model);
   check_state(model, start);
   return Run(model, start, options).go();
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A user's own event: a function of the motion that is located where it crosses zero, and what
+// happens there. It exerts no force. Works in every formulation as contacts do.
+//
+//   model.add(EventFunction{.name = "quarter turn",
+//                           .function = [crank](const Motion& at) { return at[crank].angle -
+//                           half_pi; }, .set = {{"spring.stiffness", 200.0}}, .stop = true});
+//
+// Every crossing is recorded with kind "event" and its direction in the column of the region. A
+// jump of potential or stored energy that a changed parameter makes is booked as work of the event,
+// so the energy ledger closes through it. An event that only records does not disturb the run: the
+// integrator goes on as if nothing had been.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yoke/core/force.hpp>
+#include <yoke/core/model.hpp>
+
+namespace yoke {
+
+enum class Crossing { upwards, downwards, both };
+
+/// A changeable parameter "element.name" and the value it gets [its SI unit].
+struct ParameterChange {
+  std::string parameter;
+  double value = 0.0;
+};
+
+/// What an action may do, at the located state: look at the motion, change parameters, stop.
+struct EventAction {
+  const Motion& motion;
+  /// A changeable parameter "element.name", to be read or changed. Throws ModelError.
+  std::function<double&(std::string_view name)> parameter;
+  /// Ends the run as asked for: Stop::by_event.
+  std::function<void()> stop;
+};
+
+struct EventFunction {
+  std::string name;
+  std::function<double(const Motion&)> function{};  // smooth; its size does not matter
+  Crossing crossing = Crossing::both;
+  std::vector<ParameterChange> set{};                // done first
+  std::function<void(const EventAction&)> action{};  // then this
+  bool stop = false;                                 // then the run ends
+
+  /// Throws ModelError if there is no function, at the start of a run if a parameter is unknown.
+  std::unique_ptr<ForceElement> build(const Model& model) const;
+};
+
+}  // namespace yoke

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/start_checks.hpp>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace yoke {
+
+void check_options(const SimulationOptions& options, double t_start) {
+  require_finite("simulation", "until", options.until);
+  if (!(options.until > t_start))
+    throw ModelError(fmt::format("simulation: until = {:g} s must be later than the start, {:g} s",
+                                 options.until, t_start));
+  require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
+  if (options.samples != 0 && options.samples < 2)
+    throw ModelError(
+        fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
+  for (const auto& [name, value] : {std::pair{"length_scale", options.length_scale},
+                                    {"time_scale", options.time_scale},
+                                    {"baumgarte_rate", options.baumgarte_rate}})
+    require_finite("simulation", name, value);
+}
+
+void check_model(const Model& model) {
+  if (model.body_count() == 0)
+    throw ModelError("the model has no bodies: there is nothing to move");
+  for (const auto& force : model.forces()) force->check(model);
+}
+
+void check_state(const Model& model, const State& start) {
+  const State own = model.start_state();
+  const auto check = [](const char* what, auto given, auto expected) {
+    if (given != expected)
+      throw ModelError(
+          fmt::format("the start state is not of this model: it has {} {}, the model {}", given,
+                      what, expected));
+  };
+  check("positions", start.q.size(), own.q.size());
+  check("velocities", start.v.size(), own.v.size());
+  check("element states", start.z.size(), own.z.size());
+  check("accelerations", start.a.size(), own.a.size());
+  check("multipliers", start.lambda.size(), own.lambda.size());
+  check("energies", start.energy.size(), own.energy.size());
+  check("parameters", start.parameters.size(), own.parameters.size());
+  check("contacts", start.contacts.size(), own.contacts.size());
+  require_finite("start state", "t", start.t);
+  for (const Eigen::VectorXd* values : {&start.q, &start.v, &start.z})
+    for (const double x : *values)
+      require_finite("start state", "a position, velocity or state", x);
+  for (const double x : start.parameters) require_finite("start state", "a parameter", x);
+}
+
+namespace {
+
+/// Is Phi_t of a driver the derivative of its Phi at time t? A difference of one size may be too
+/// coarse for a fast driver or lost in rounding; a wrong rate fits none. What cannot be evaluated
+/// is left to the run, which reports it with its time.
+bool rate_fits(System& system, const ConstraintSlot& c, const State& state, double t, double span) {
+  const auto rows = static_cast<std::size_t>(c.rows);
+  std::vector<double> before(rows), after(rows), rate(rows);
+  const auto evaluate = [&](double time, const ConstraintRequest& out) {
+    system.set_motion(time, state.q.data(), state.v.data());
+    c.element->evaluate(system.motion(), out);
+  };
+  const auto fits = [&](double h) {
+    evaluate(t - h, {.phi = before.data()});
+    evaluate(t + h, {.phi = after.data()});
+    evaluate(t, {.phi_t = rate.data()});
+    for (std::size_t i = 0; i < rows; ++i) {
+      const double change = (after[i] - before[i]) / (2.0 * h);
+      const double size = std::abs(after[i]) + std::abs(before[i]) + std::abs(t * rate[i]);
+      const double bound = 1e-3 * (std::abs(change) + std::abs(rate[i])) + 1e-15 * size / h;
+      if (std::abs(change - rate[i]) > bound) return false;
+    }
+    return true;
+  };
+  try {
+    return fits(1e-6 * span) || fits(1e-8 * span) || fits(1e-10 * span);
+  } catch (const std::exception&) {
+    return true;
+  }
+}
+
+}  // namespace
+
+void check_drivers(System& system, const State& state, double until) {
+  constexpr int probes = 5;
+  const double span = until - state.t;
+  for (const ConstraintSlot& c : system.constraints()) {
+    if (!c.element->rheonomic()) continue;
+    int wrong = 0;
+    double t_wrong = 0.0;
+    for (int i = 0; i < probes; ++i) {
+      const double t = state.t + span * (0.07 + 0.19 * i);
+      if (rate_fits(system, c, state, t, span)) continue;
+      ++wrong;
+      t_wrong = t;
+    }
+    if (wrong >= 2)  // one probe may have met a corner
+      throw ModelError(
+          fmt::format("driver '{}': its rate is not the derivative of its value, for "
+                      "instance at t = {:g} s",
+                      c.element->name(), t_wrong));
+  }
+}
+
+}  // namespace yoke

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <yoke/core/event_function.hpp>
+#include <yoke/core/units.hpp>
+#include <yoke/integrators/simulate.hpp>
+#include <yoke/joints/translational_spring.hpp>
+
+namespace {
+
+using namespace yoke;
+
+constexpr double mass = 1.3, stiffness = 52.0, amplitude = 0.2;
+const double omega = std::sqrt(stiffness / mass);
+
+/// x = 1 + amplitude cos(omega t): a mass on a spring that is relaxed at x = 1.
+Model oscillator() {
+  Model m;
+  const BodyId b = m.add(
+      Body{.name = "mass", .mass = mass, .inertia = 1.0, .pose = {{1.0 + amplitude, 0.0}, 0.0}});
+  m.add(TranslationalSpring{.name = "spring",
+                            .a = ground,
+                            .b = b,
+                            .at_a = {0.0, 0.0},
+                            .at_b = {1.0 + amplitude, 0.0},
+                            .stiffness = stiffness,
+                            .free_length = 1.0});
+  return m;
+}
+
+std::function<double(const Motion&)> position_minus(double x) {
+  return [x](const Motion& at) { return at[BodyId{1}].x - x; };
+}
+
+SimulationOptions options(std::string_view formulation, double until) {
+  return {.until = until, .relative_tolerance = 1e-10, .formulation = std::string(formulation)};
+}
+
+/// How far an event may be off: what the method can do at this tolerance.
+double bar(std::string_view formulation) {
+  return formulation == "generalised-alpha" ? 1e-5 : 1e-8;
+}
+
+}  // namespace
+
+TEST_CASE("a user's event is located and recorded, in the direction asked for") {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model m = oscillator();
+    m.add(EventFunction{.name = "half way", .function = position_minus(1.0 + 0.5 * amplitude)});
+    m.add(EventFunction{
+        .name = "upwards", .function = position_minus(1.0), .crossing = Crossing::upwards});
+    const Result run = simulate(m, options(f.name, 2.0 * pi / omega));
+    REQUIRE(run.summary.ok());
+    REQUIRE(run.events.size() == 3);
+    CHECK(std::abs(run.events[0].t - pi / 3.0 / omega) < bar(f.name));
+    CHECK(run.events[0].element == "half way");
+    CHECK(run.events[0].kind == "event");
+    CHECK(run.events[0].region == "downwards");
+    CHECK(std::abs(run.events[1].t - 1.5 * pi / omega) < bar(f.name));
+    CHECK(run.events[1].element == "upwards");
+    CHECK(run.events[2].region == "upwards");
+  }
+}
+
+TEST_CASE("an event that stops ends the run well, at the event, with a row of its own") {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model m = oscillator();
+    m.add(EventFunction{.name = "middle", .function = position_minus(1.0), .stop = true});
+    const Result run = simulate(m, options(f.name, 10.0));
+    CHECK(run.summary.ok());
+    CHECK(run.summary.stop == Stop::by_event);
+    CHECK(run.summary.reason.starts_with("event 'middle' at t = 0.24"));
+    CHECK(std::abs(run.summary.t_end - 0.5 * pi / omega) < bar(f.name));
+    CHECK(run.final.t == run.summary.t_end);
+    const auto last = static_cast<Eigen::Index>(run.samples.rows()) - 1;
+    CHECK(run["t_s"](last) == run.final.t);
+    CHECK(std::abs(run["mass.x_m"](last) - 1.0) < bar(f.name));
+  }
+}
+
+TEST_CASE("an event changes a parameter, the motion follows and the ledger closes") {
+  // A quarter of a period on the first spring; then, at x = 1, four times as stiff: half as far.
+  // At the turning point the stiffness is put back, which takes energy out.
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model m = oscillator();
+    m.add(EventFunction{.name = "stiffer",
+                        .function = position_minus(1.0),
+                        .crossing = Crossing::downwards,
+                        .set = {{"spring.stiffness", 4.0 * stiffness}}});
+    m.add(EventFunction{
+        .name = "back",
+        .function = [](const Motion& at) { return at[BodyId{1}].vx; },
+        .crossing = Crossing::upwards,
+        .action = [](const EventAction& a) { a.parameter("spring.stiffness") *= 0.25; }});
+    const double quarter = 0.5 * pi / omega;
+    const Result run = simulate(m, options(f.name, 2.5 * quarter));
+    REQUIRE(run.summary.ok());
+    REQUIRE(run.events.size() == 2);
+    CHECK(std::abs(run.events[1].t - 1.5 * quarter) < bar(f.name));
+    const double x = 1.0 - 0.5 * amplitude * std::cos(omega * quarter);
+    CHECK(std::abs(run.final.q[0] - x) < 10.0 * bar(f.name));
+    CHECK(run.summary.energy_balance < 100.0 * bar(f.name) * run.summary.energy_exchanged);
+    // 1/2 (k - 4k) (amplitude/2)^2 is taken out at the turning point.
+    const Eigen::VectorXd work = run["back.work_J"];
+    CHECK(std::abs(work(work.size() - 1) + 1.5 * stiffness * 0.01) < 10.0 * bar(f.name));
+  }
+}
+
+TEST_CASE("a wrong event is refused before the run, one that throws ends it with what there is") {
+  Model m = oscillator();
+  CHECK_THROWS_WITH_AS(m.add(EventFunction{.name = "none"}), "event 'none': it has no function",
+                       ModelError);
+  m.add(EventFunction{
+      .name = "softer", .function = position_minus(1.0), .set = {{"spring.stiffnes", 1.0}}});
+  CHECK_THROWS_WITH_AS(simulate(m, {.until = 1.0}),
+                       doctest::Contains("unknown parameter 'spring.stiffnes'"), ModelError);
+
+  Model thrower = oscillator();
+  thrower.add(EventFunction{.name = "bad",
+                            .function = position_minus(1.0),
+                            .action = [](const EventAction& a) { a.parameter("none") = 1.0; }});
+  const Result run = simulate(thrower, {.until = 1.0});
+  CHECK(run.summary.stop == Stop::failed);
+  CHECK(run.summary.reason.find("unknown parameter 'none'") != std::string::npos);
+  CHECK(run.samples.rows() > 100);
+
+  Model nan = oscillator();
+  nan.add(EventFunction{
+      .name = "nan", .function = position_minus(1.0), .action = [](const EventAction& a) {
+        a.parameter("spring.stiffness") = std::nan("");
+      }});
+  const Result lost = simulate(nan, {.until = 1.0});
+  CHECK(lost.summary.stop == Stop::failed);
+  CHECK(lost.final.q.allFinite());
+}
