@@ -58,10 +58,10 @@ void Recorder::start(const State& state) {
   System& system = dynamics_.system();
   system.bind(state);
   system.set_motion(state.t, state.q.data(), state.v.data());
-  start_ = system.calc_energy();
-  initial_ = start_.kinetic + start_.potential + start_.stored;
+  ledger_.start = system.calc_energy();
+  ledger_.initial = ledger_.start.kinetic + ledger_.start.potential + ledger_.start.stored;
   for (std::size_t i = 0; i < is_work_.size(); ++i)
-    initial_ += (is_work_[i] ? -1.0 : 1.0) * state.energy[static_cast<Eigen::Index>(i)];
+    ledger_.initial += (is_work_[i] ? -1.0 : 1.0) * state.energy[static_cast<Eigen::Index>(i)];
 }
 
 void Recorder::record(const State& state) {
@@ -122,15 +122,16 @@ void Recorder::record_energy(const State& state, double* row) {
     moved = std::max(moved, std::abs(value));
   }
   const double balance =
-      energy.kinetic + energy.potential + energy.stored + dissipated - work - initial_;
+      energy.kinetic + energy.potential + energy.stored + dissipated - work - ledger_.initial;
   for (const double x :
        {energy.kinetic, energy.potential, energy.stored, dissipated, work, balance})
     *row++ = x;
   Summary& summary = result_.summary;
   summary.energy_balance = std::max(summary.energy_balance, std::abs(balance));
-  summary.energy_exchanged = std::max(
-      {summary.energy_exchanged, moved, std::abs(energy.kinetic - start_.kinetic),
-       std::abs(energy.potential - start_.potential), std::abs(energy.stored - start_.stored)});
+  summary.energy_exchanged =
+      std::max({summary.energy_exchanged, moved, std::abs(energy.kinetic - ledger_.start.kinetic),
+                std::abs(energy.potential - ledger_.start.potential),
+                std::abs(energy.stored - ledger_.start.stored)});
 }
 
 }  // namespace yoke

@@ -17,6 +17,13 @@ class Recorder {
   Recorder(Dynamics& dynamics, Result& result, std::size_t rows);
   /// Takes `state` (projected, with its accelerations) as the zero of the energy ledger.
   void start(const State& state);
+  /// The zero of the ledger, to be kept when a run is taken up again.
+  struct Ledger {
+    double initial = 0.0;  // [J]
+    EnergyTerms start;
+  };
+  const Ledger& ledger() const { return ledger_; }
+  void resume(const Ledger& ledger) { ledger_ = ledger; }
   /// Appends one row and updates the worst figures of the summary.
   void record(const State& state);
   /// The same without a row: at events.
@@ -32,8 +39,7 @@ class Recorder {
   Result& result_;
   std::vector<std::size_t> channels_;  // of each force element
   std::vector<bool> is_work_;          // of each quadrature: work done, else dissipated
-  double initial_ = 0.0;
-  EnergyTerms start_;
+  Ledger ledger_;
 };
 
 }  // namespace yoke

@@ -27,6 +27,8 @@ class Table {
   double* append();
 
   std::size_t rows() const { return rows_; }
+  /// All numbers, row after row.
+  const std::vector<double>& data() const { return data_; }
   const std::vector<std::string>& names() const { return names_; }
   bool has(std::string_view name) const;
   /// Values of a column. Throws ModelError that lists the nearest names if there is none.

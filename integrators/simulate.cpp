@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/fingerprint.hpp>
 #include <yoke/core/recorder.hpp>
+#include <yoke/integrators/checkpoint.hpp>
 #include <yoke/integrators/formulation.hpp>
 #include <yoke/integrators/scales.hpp>
 #include <yoke/integrators/start_checks.hpp>
@@ -52,10 +54,18 @@ struct Cost {
 class Run {
  public:
   Run(const Model& model, const State& start, const SimulationOptions& options);
+  /// Goes on from a checkpoint.
+  Run(const Model& model, const Checkpoint& checkpoint, const SimulationOptions& options);
   Result go();
 
  private:
+  void set_up();
   bool initialise();
+  double next_stop() const;
+  bool checkpoint_due(double t) const;
+  bool reach_checkpoint(double t);
+  void write_checkpoint();
+  void start_formulation();
   bool advance();
   void record_samples_up_to(double t);
   void record_at(double t);
@@ -76,7 +86,10 @@ class Run {
   double sample_time(long i) const;
 
   const SimulationOptions& options_;
+  const FormulationEntry& entry_;
+  const Checkpoint* resumed_ = nullptr;
   Clock::time_point began_ = Clock::now();
+  double wall_time_before_ = 0.0;  // [s] of the run that is gone on with
   Dynamics dynamics_;
   State state_;   // at the last restart; owns the discrete memory
   State sample_;  // scratch for dense output
@@ -86,6 +99,12 @@ class Run {
   double t_start_;
   long next_sample_ = 0;
   Cost recording_;  // of samples, told apart from that of the steps
+  std::unique_ptr<CheckpointWriter> writer_;
+  std::uint64_t fingerprint_ = 0;
+  long next_time_ = 1;     // number of the next checkpoint by time
+  long events_since_ = 0;  // restarts at events since the last one
+  Summary before_;         // counters up to the last checkpoint
+  Cost cost_before_;       // of dynamics_ by then
   double window_start_ = 0.0;
   long window_events_ = 0;
   std::vector<double> local_acceleration_;
@@ -99,12 +118,14 @@ class Run {
 };
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
-    : options_(options), dynamics_(model), state_(start), t_start_(start.t) {
+    : options_(options),
+      entry_(find_formulation(options.formulation)),
+      dynamics_(model),
+      state_(start),
+      t_start_(start.t) {
   check_options(options, start.t);
-  event_values_.assign(static_cast<std::size_t>(dynamics_.system().events()), 0.0);
-  const FormulationEntry& entry = find_formulation(options.formulation);
   Summary& summary = result_.summary;
-  summary.formulation = entry.name;
+  summary.formulation = entry_.name;
   summary.relative_tolerance = options.relative_tolerance;
   summary.t_start = summary.t_end = start.t;
   summary.t_asked = options.until;
@@ -117,10 +138,37 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   dynamics_.system().set_scales(scales);
   summary.length_scale = scales.length;
   summary.time_scale = scales.time;
-  formulation_ = entry.make(dynamics_, choose_tolerances(dynamics_.system(), options));
+  set_up();
+  if (options.checkpoints.folder.empty()) return;
+  fingerprint_ = fingerprint(model);
+  writer_ = std::make_unique<CheckpointWriter>(options.checkpoints.folder, nullptr);
+}
+
+Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& options)
+    : options_(options),
+      entry_(find_formulation(options.formulation)),
+      resumed_(&c),
+      dynamics_(model),
+      state_(c.state),
+      t_start_(c.summary.t_start),
+      fingerprint_(c.model) {
+  dynamics_.system().set_scales(c.scales);
+  dynamics_.system().bind(state_);
+  set_up();
+  result_.summary = before_ = c.summary;
+  wall_time_before_ = c.summary.wall_time;
+  read_rows(options.checkpoints.folder, c, result_);
+  writer_ = std::make_unique<CheckpointWriter>(options.checkpoints.folder, &c);
+}
+
+// The workspace: after this a run depends on the state and the options alone.
+void Run::set_up() {
+  event_values_.assign(static_cast<std::size_t>(dynamics_.system().events()), 0.0);
+  formulation_ = entry_.make(dynamics_, choose_tolerances(dynamics_.system(), options_));
   recorder_ = std::make_unique<Recorder>(dynamics_, result_,
-                                         static_cast<std::size_t>(std::max(options.samples, 0)));
+                                         static_cast<std::size_t>(std::max(options_.samples, 0)));
   result_.events.reserve(1024);
+  fired_.reserve(event_values_.size());
 }
 
 EventContext Run::context_of(const ForceSlot& slot) {
@@ -160,6 +208,19 @@ EventContext Run::context_of(const ForceSlot& slot) {
 }
 
 bool Run::initialise() {
+  if (resumed_ != nullptr) {
+    recorder_->resume(resumed_->ledger);
+    next_sample_ = resumed_->next_sample;
+    next_time_ = resumed_->next_time;
+    events_since_ = resumed_->events_since;
+    window_start_ = resumed_->window_start;
+    window_events_ = resumed_->window_events;
+    contacts_before_ = state_.contacts;
+    t_last_ = state_.t;
+    sample_ = state_;
+    start_formulation();
+    return state_.t < options_.until;
+  }
   for (const ForceSlot& slot : dynamics_.system().forces()) {
     if (slot.element->contacts() == 0) continue;
     EventContext context = context_of(slot);
@@ -176,9 +237,74 @@ bool Run::initialise() {
   formulation_->start(state_);
   record_event_state();
   window_start_ = t_last_ = state_.t;
-  fired_.reserve(event_values_.size());
   contacts_before_ = state_.contacts;
+  if (writer_) write_checkpoint();
   return true;
+}
+
+double Run::next_stop() const {
+  if (!writer_ || !(options_.checkpoints.every > 0.0)) return options_.until;
+  return std::min(options_.until,
+                  t_start_ + static_cast<double>(next_time_) * options_.checkpoints.every);
+}
+
+bool Run::checkpoint_due(double t) const {
+  if (!writer_ || stopped_ || t >= options_.until) return false;
+  const long every_events = options_.checkpoints.every_events;
+  return t >= next_stop() || (every_events > 0 && events_since_ >= every_events);
+}
+
+// At a step's end that is not an event; false if the run cannot go on.
+bool Run::reach_checkpoint(double t) {
+  formulation_->interpolate(t, state_);
+  if (!dynamics_.project(state_)) {
+    stop(Stop::failed, fmt::format("the state at the checkpoint at t = {:.9g} s cannot be "
+                                   "projected on the constraints",
+                                   t));
+    return false;
+  }
+  write_checkpoint();
+  return true;
+}
+
+// Whoever goes on from here, this run or one that is taken up, starts from the same: this state,
+// no factors, an integrator without a past.
+void Run::write_checkpoint() {
+  while (next_stop() <= state_.t && next_stop() < options_.until) ++next_time_;
+  events_since_ = 0;
+  t_last_ = state_.t;
+  stalled_steps_ = 0;
+  summarise();
+  before_ = result_.summary;
+  cost_before_ = cost();
+  recording_ = {};
+  const auto& [folder, every, every_events, resume] = options_.checkpoints;
+  Checkpoint c{.model = fingerprint_,
+               .until = options_.until,
+               .relative_tolerance = options_.relative_tolerance,
+               .formulation = std::string(entry_.name),
+               .samples = options_.samples,
+               .every = every,
+               .every_events = every_events,
+               .baumgarte_rate = options_.baumgarte_rate,
+               .scales = dynamics_.system().scales(),
+               .state = state_,
+               .dropped_rows = dynamics_.system().dropped_rows(),
+               .next_sample = next_sample_,
+               .next_time = next_time_,
+               .events_since = events_since_,
+               .ledger = recorder_->ledger(),
+               .summary = before_,
+               .window_start = window_start_,
+               .window_events = window_events_};
+  writer_->write(c, result_);
+  start_formulation();
+}
+
+void Run::start_formulation() {
+  dynamics_.reset();
+  formulation_ = entry_.make(dynamics_, choose_tolerances(dynamics_.system(), options_));
+  formulation_->start(state_);
 }
 
 double Run::sample_time(long i) const {
@@ -317,7 +443,12 @@ bool Run::handle_events(double t) {
     return false;
   }
   record_event_state();
-  formulation_->start(state_);
+  ++events_since_;
+  if (checkpoint_due(t)) {
+    write_checkpoint();
+  } else {
+    formulation_->start(state_);
+  }
   return true;
 }
 
@@ -355,7 +486,7 @@ std::string Run::blame() const {
 }
 
 bool Run::advance() {
-  const Step step = formulation_->step(options_.until);
+  const Step step = formulation_->step(next_stop());
   const bool at_event = step == Step::event;
   const double t = at_event ? locate_events() : formulation_->time();
   if (step == Step::failed) {
@@ -372,11 +503,11 @@ bool Run::advance() {
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
   result_.summary.t_end = t;
   if (stopped_ || (at_event && !handle_events(t))) return false;
+  if (!at_event && checkpoint_due(t) && !reach_checkpoint(t)) return false;
   if (options_.observer) {
-    const StepCounters counters = formulation_->counters();
     const Progress progress{.t = t,
                             .fraction = (t - t_start_) / (options_.until - t_start_),
-                            .steps = counters.steps,
+                            .steps = before_.steps + formulation_->counters().steps,
                             .events = static_cast<long>(result_.events.size())};
     if (!options_.observer(progress)) {
       stop(Stop::interrupted, fmt::format("interrupted at t = {:.9g} s", t));
@@ -412,16 +543,19 @@ void Run::summarise() {
   Summary& summary = result_.summary;
   summary.events = static_cast<long>(result_.events.size());
   const StepCounters counters = formulation_->counters();
-  summary.steps = counters.steps;
-  summary.rejected = counters.rejected;
-  summary.jacobians = counters.jacobians;
-  const Cost stepping = cost() - recording_;
-  summary.evaluations = stepping.evaluations;
-  summary.refactorisations = stepping.refactorisations + counters.factors.refactorisations;
-  summary.fresh_factorisations = stepping.fresh + counters.factors.fresh;
-  summary.recording_evaluations = recording_.evaluations;
+  summary.steps = before_.steps + counters.steps;
+  summary.rejected = before_.rejected + counters.rejected;
+  summary.jacobians = before_.jacobians + counters.jacobians;
+  const Cost stepping = cost() - cost_before_ - recording_;
+  summary.evaluations = before_.evaluations + stepping.evaluations;
+  summary.refactorisations =
+      before_.refactorisations + stepping.refactorisations + counters.factors.refactorisations;
+  summary.fresh_factorisations =
+      before_.fresh_factorisations + stepping.fresh + counters.factors.fresh;
+  summary.recording_evaluations = before_.recording_evaluations + recording_.evaluations;
   summary.last_step = formulation_->last_step();
-  summary.wall_time = std::chrono::duration<double>(Clock::now() - began_).count();
+  summary.wall_time =
+      wall_time_before_ + std::chrono::duration<double>(Clock::now() - began_).count();
   result_.final = state_;
 }
 
@@ -443,7 +577,32 @@ Result Run::go() {
 Result simulate(const Model& model, const State& start, const SimulationOptions& options) {
   check_model(model);
   check_state(model, start);
+  if (options.checkpoints.resume)
+    if (const auto checkpoint = read_checkpoint(options.checkpoints.folder)) {
+      check_checkpoint(model, options, *checkpoint);
+      return Run(model, *checkpoint, options).go();
+    }
   return Run(model, start, options).go();
+}
+
+Result resume(const Model& model, const std::filesystem::path& folder,
+              std::function<bool(const Progress&)> observer) {
+  check_model(model);
+  const std::optional<Checkpoint> c = read_checkpoint(folder);
+  if (!c)
+    throw ModelError(fmt::format("there is no checkpoint in '{}' to go on from", folder.string()));
+  const SimulationOptions options{
+      .until = c->until,
+      .relative_tolerance = c->relative_tolerance,
+      .formulation = c->formulation,
+      .samples = c->samples,
+      .length_scale = c->scales.length,
+      .time_scale = c->scales.time,
+      .baumgarte_rate = c->baumgarte_rate,
+      .checkpoints = {.folder = folder, .every = c->every, .every_events = c->every_events},
+      .observer = std::move(observer)};
+  check_checkpoint(model, options, *c);
+  return Run(model, *c, options).go();
 }
 
 Result simulate(const Model& model, const SimulationOptions& options) {

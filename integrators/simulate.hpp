@@ -4,6 +4,7 @@
 // Runs a model in time. The user chooses a formulation by name and gives a tolerance, never a step.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,16 @@ struct Progress {
   long events = 0;
 };
 
+/// Where and when a run writes checkpoints, at simulated times or events, never by the clock. At
+/// each one the run itself starts its integrator afresh, so a run that is taken up there gives the
+/// same bits as the one that was not interrupted. The schedule is therefore part of the result.
+struct Checkpoints {
+  std::filesystem::path folder{};  // empty: none are written
+  double every = 0.0;              // [s] simulated time from one to the next; 0: not by time
+  long every_events = 0;           // restarts at events from one to the next; 0: not by events
+  bool resume = false;             // go on from the last one in the folder, if there is one
+};
+
 /// Numbers <= 0 mean "chosen from the model".
 struct SimulationOptions {
   double until = 0.0;                             // [s] end time, > start time
@@ -31,6 +42,7 @@ struct SimulationOptions {
   double length_scale = 0.0;                      // [m] error weight of positions
   double time_scale = 0.0;                        // [s] of velocities: length / time
   double baumgarte_rate = 0.0;                    // [1/s] gain, formulation arkode-baumgarte only
+  Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
   std::function<bool(const Progress&)> observer{};
@@ -41,6 +53,11 @@ struct SimulationOptions {
 /// assembled. Whatever happens later is told by Result::summary, with the results up to there.
 Result simulate(const Model& model, const SimulationOptions& options);
 Result simulate(const Model& model, const State& start, const SimulationOptions& options);
+
+/// Goes on with a run from the last checkpoint in `folder`, to the end it was given. Throws
+/// ModelError if there is none, if it is damaged, or of another model.
+Result resume(const Model& model, const std::filesystem::path& folder,
+              std::function<bool(const Progress&)> observer = {});
 
 /// The consistent state a run starts from: positions and velocities on the constraints,
 /// accelerations, multipliers, contacts touching or not. Throws ModelError naming the worst

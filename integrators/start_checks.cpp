@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <yoke/core/fingerprint.hpp>
+
 namespace yoke {
 
 void check_options(const SimulationOptions& options, double t_start) {
@@ -17,6 +19,10 @@ void check_options(const SimulationOptions& options, double t_start) {
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
+  require_not_negative("simulation", "checkpoints.every", options.checkpoints.every, "s");
+  if (options.checkpoints.every_events < 0)
+    throw ModelError(fmt::format("simulation: checkpoints.every_events = {} must be at least 0",
+                                 options.checkpoints.every_events));
   for (const auto& [name, value] : {std::pair{"length_scale", options.length_scale},
                                     {"time_scale", options.time_scale},
                                     {"baumgarte_rate", options.baumgarte_rate}})
@@ -50,6 +56,25 @@ void check_state(const Model& model, const State& start) {
     for (const double x : *values)
       require_finite("start state", "a position, velocity or state", x);
   for (const double x : start.parameters) require_finite("start state", "a parameter", x);
+}
+
+void check_checkpoint(const Model& model, const SimulationOptions& options, const Checkpoint& c) {
+  if (fingerprint(model) != c.model)
+    throw ModelError(
+        fmt::format("the checkpoint in '{}' is of another model: bodies, joints, "
+                    "forces, parameters or start pose differ",
+                    options.checkpoints.folder.string()));
+  const auto same = [&](const char* name, auto asked, auto stored) {
+    if (asked != stored)
+      throw ModelError(fmt::format("the checkpoint in '{}' is of a run with {} = {}, not {}",
+                                   options.checkpoints.folder.string(), name, stored, asked));
+  };
+  same("until", options.until, c.until);
+  same("relative_tolerance", options.relative_tolerance, c.relative_tolerance);
+  same("formulation", options.formulation, c.formulation);
+  same("samples", options.samples, c.samples);
+  same("checkpoints.every", options.checkpoints.every, c.every);
+  same("checkpoints.every_events", options.checkpoints.every_events, c.every_events);
 }
 
 namespace {

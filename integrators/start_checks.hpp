@@ -6,6 +6,7 @@
 #pragma once
 
 #include <yoke/core/system.hpp>
+#include <yoke/integrators/checkpoint.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke {
@@ -15,6 +16,9 @@ void check_options(const SimulationOptions& options, double t_start);
 void check_model(const Model& model);
 /// Is `start` a state of this model, and finite?
 void check_state(const Model& model, const State& start);
+/// Does the checkpoint belong to this model and these options?
+void check_checkpoint(const Model& model, const SimulationOptions& options,
+                      const Checkpoint& checkpoint);
 /// A driver's rate must be the derivative of its value, or it does work that nobody accounts for.
 void check_drivers(System& system, const State& state, double until);
 
