@@ -17,9 +17,10 @@ using namespace yoke::tests;
 
 /// Every entry of the iteration matrix against central differences of the residual, at a state with
 /// no zeros, including coordinates nothing should depend on.
-void check_matrix(const Model& model, State state) {
+void check_matrix(const Model& model, State state, const std::vector<int>& dropped = {}) {
   System system(model);
   system.bind(state);
+  system.drop_rows(dropped);
   GglMatrix equations(system);
   const auto n = static_cast<std::size_t>(equations.size());
   std::mt19937 random(7);
@@ -94,6 +95,35 @@ TEST_CASE("GGL iteration matrix is the derivative of the residual: contact, spri
     state.contacts[0].region = 0;
   }
   check_matrix(model, state);
+}
+
+TEST_CASE("equations that the system has dropped leave the GGL matrix regular") {
+  Model model = double_pendulum();  // the second pivot repeats the first
+  const BodyId a = model.find_body("a");
+  model.add(Revolute{.name = "again", .a = ground, .b = a, .at = {0.0, 0.0}});
+  State state = model.start_state();
+  state.v.setConstant(0.3);
+  state.q[2] = 0.7;
+  const std::vector<int> dropped{4, 5};
+  check_matrix(model, state, dropped);
+
+  System system(model);
+  system.bind(state);
+  GglMatrix redundant(system);
+  system.drop_rows(dropped);
+  GglMatrix equations(system);
+  std::vector<double> y(static_cast<std::size_t>(equations.size()), 0.1);
+  for (const double shift : {1e1, 1e7}) {
+    redundant.calc_jacobian(0.0, shift, y.data());
+    CHECK_FALSE(redundant.factorise());
+    equations.calc_jacobian(0.0, shift, y.data());
+    CHECK(equations.factorise());
+  }
+  CHECK(equations.counters().fresh == 1);
+  std::vector<double> r(y.size());
+  REQUIRE(equations.calc_residual(0.0, y.data(), y.data(), r.data()));
+  const auto unknown = static_cast<std::size_t>(equations.mu() + 5);
+  CHECK(r[unknown] == y[unknown]);
 }
 
 TEST_CASE("GGL matrix keeps its pattern through any number of factorisations") {
