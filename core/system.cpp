@@ -190,6 +190,17 @@ void System::calc_velocity_residual(double* residual) {
   }
 }
 
+void System::add_jacobian_times(const double* x, double* out) const {
+  for (const ConstraintSlot& c : constraints_) {
+    const double* G = G_.data() + c.block;
+    for (int j = 0; j < c.columns; ++j) {
+      const int dof = dof_[at(c.dofs + j)];
+      if (dof < 0) continue;
+      for (int i = 0; i < c.rows; ++i) out[c.row + i] += G[i * c.columns + j] * x[dof];
+    }
+  }
+}
+
 void System::subtract_constraint_forces(const double* lambda, double* force) const {
   for (const ConstraintSlot& c : constraints_) {
     const double* G = G_.data() + c.block;

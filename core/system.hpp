@@ -99,6 +99,7 @@ class System {
   void calc_velocity_residual(double* residual);
   const double* G() const { return G_.data(); }
   double* G() { return G_.data(); }
+  std::size_t jacobian_size() const { return G_.size(); }  // of all blocks
   /// force[dofs + 1] -= G^T lambda, from the blocks of G; the last entry collects the ground.
   void subtract_constraint_forces(const double* lambda, double* force) const;
 
@@ -109,6 +110,8 @@ class System {
   void add_driver_power(const double* lambda, double* quadrature_rates);
   /// All event functions [events].
   void calc_events(double* g) const;
+  /// out [rows] += G x, with the blocks of G computed last, x [dofs].
+  void add_jacobian_times(const double* x, double* out) const;
   EnergyTerms calc_energy() const;
   /// Looks for the element that gives a value that is not finite at the motion set last and keeps
   /// its name for the report of a failed run. Off the hot path.

@@ -96,7 +96,7 @@ bool GglMatrix::calc_residual(double t, const double* y, const double* y_dot, do
   return std::isfinite(sum);
 }
 
-void GglMatrix::calc_jacobian(double t, double c, const double* y) {
+void GglMatrix::calc_jacobian(double t, double c, const double* y, const double*) {
   c_ = c;
   matrix_.evaluate({.t = t,
                     .q = y,

@@ -23,30 +23,27 @@
 
 #include <vector>
 
+#include <yoke/integrators/ida.hpp>
 #include <yoke/integrators/iteration_matrix.hpp>
 
 namespace yoke {
 
-class GglMatrix {
+class GglMatrix final : public DaeEquations {
  public:
   explicit GglMatrix(System& system);
 
-  int size() const { return size_; }
-  int v() const { return n_; }  // offsets of the parts of y
-  int z() const { return 2 * n_; }
-  int lambda() const { return 2 * n_ + nz_; }
+  int size() const override { return size_; }
+  int v() const override { return n_; }
+  int z() const override { return 2 * n_; }
+  int lambda() const override { return 2 * n_ + nz_; }
   int mu() const { return 2 * n_ + nz_ + rows_; }
 
-  /// R(t, y, y') [size]. False if it is not finite.
-  bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
-  /// Fills the matrix for the shift c [1/s].
-  void calc_jacobian(double t, double c, const double* y);
-  /// Scales and factorises what calc_jacobian filled.
-  bool factorise() { return matrix_.factorise(c_); }
-  /// b := (matrix)^-1 b.
-  void solve(double* b) { matrix_.solve(b); }
+  bool calc_residual(double t, const double* y, const double* y_dot, double* residual) override;
+  void calc_jacobian(double t, double c, const double* y, const double* y_dot) override;
+  bool factorise() override { return matrix_.factorise(c_); }
+  void solve(double* b) override { matrix_.solve(b); }
+  const FactorCounters& counters() const override { return matrix_.counters(); }
   void reset() { matrix_.reset(); }
-  const FactorCounters& counters() const { return matrix_.counters(); }
   /// The unscaled matrix, for checks.
   const SparseMatrix& matrix() const { return matrix_.matrix(); }
 

@@ -9,6 +9,8 @@ namespace yoke {
 std::unique_ptr<Formulation> make_arkode_projection(Dynamics&, const Tolerances&);
 std::unique_ptr<Formulation> make_arkode_baumgarte(Dynamics&, const Tolerances&);
 std::unique_ptr<Formulation> make_ida_ggl(Dynamics&, const Tolerances&);
+std::unique_ptr<Formulation> make_ida_baumgarte(Dynamics&, const Tolerances&);
+std::unique_ptr<Formulation> make_cvode_projection(Dynamics&, const Tolerances&);
 
 const std::vector<FormulationEntry>& formulation_registry() {
   static const std::vector<FormulationEntry> entries = {
@@ -17,6 +19,11 @@ const std::vector<FormulationEntry>& formulation_registry() {
        make_arkode_projection},
       {"ida-ggl", "BDF on the stabilised index-2 equations of Gear, Gupta and Leimkuhler",
        make_ida_ggl},
+      {"cvode-projection",
+       "BDF on accelerations, positions and velocities projected every step; for stiff contacts",
+       make_cvode_projection},
+      {"ida-baumgarte", "BDF on the index-1 equations stabilised after Baumgarte; drifts a little",
+       make_ida_baumgarte},
       {"arkode-baumgarte",
        "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little",
        make_arkode_baumgarte},

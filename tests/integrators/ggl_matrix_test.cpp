@@ -32,7 +32,7 @@ void check_matrix(const Model& model, State state, const std::vector<int>& dropp
   std::copy_n(state.v.data(), state.v.size(), y.begin() + equations.v());
 
   const double t = 0.0137, shift = 321.7;
-  equations.calc_jacobian(t, shift, y.data());
+  equations.calc_jacobian(t, shift, y.data(), y.data());
   const SparseMatrix& matrix = equations.matrix();
   std::vector<double> row_size(n, 0.0);
   for (std::size_t k = 0; k < matrix.row.size(); ++k) {
@@ -114,9 +114,9 @@ TEST_CASE("equations that the system has dropped leave the GGL matrix regular") 
   GglMatrix equations(system);
   std::vector<double> y(static_cast<std::size_t>(equations.size()), 0.1);
   for (const double shift : {1e1, 1e7}) {
-    redundant.calc_jacobian(0.0, shift, y.data());
+    redundant.calc_jacobian(0.0, shift, y.data(), y.data());
     CHECK_FALSE(redundant.factorise());
-    equations.calc_jacobian(0.0, shift, y.data());
+    equations.calc_jacobian(0.0, shift, y.data(), y.data());
     CHECK(equations.factorise());
   }
   CHECK(equations.counters().fresh == 1);
@@ -135,7 +135,7 @@ TEST_CASE("GGL matrix keeps its pattern through any number of factorisations") {
   const std::vector<int> rows = equations.matrix().row;
   std::vector<double> y(static_cast<std::size_t>(equations.size()), 0.1);
   for (const double shift : {1e1, 1e4, 1e7, 1e2}) {
-    equations.calc_jacobian(0.0, shift, y.data());
+    equations.calc_jacobian(0.0, shift, y.data(), y.data());
     CHECK(equations.factorise());
   }
   CHECK(equations.matrix().row == rows);
