@@ -98,12 +98,14 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
     : dynamics_(dynamics),
       tolerances_(tolerances),
       projects_(projects),
-      stabilisation_{.alpha = tolerances.baumgarte_rate, .beta = tolerances.baumgarte_rate},
       guard_(dynamics),
       n_(dynamics.system().dofs()),
       nz_(dynamics.system().states()),
       quadratures_(dynamics.system().quadratures()),
       size_(2 * n_ + nz_ + quadratures_) {
+  const double rate =
+      tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : tolerances.natural_rate;
+  stabilisation_ = {.alpha = rate, .beta = rate};
   SUNContext_Create(nullptr, &context_);
   y_ = N_VNew_Serial(size_, context_);
   weights_ = N_VNew_Serial(size_, context_);

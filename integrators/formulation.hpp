@@ -23,7 +23,8 @@ struct Tolerances {
   Eigen::VectorXd v;            // [3 nb]
   Eigen::VectorXd z;            // [nz]
   double energy = 1e-8;         // [J] quadratures
-  double baumgarte_rate = 0.0;  // [1/s]
+  double baumgarte_rate = 0.0;  // [1/s] the user's gain of Baumgarte's stabilisation; 0: none given
+  double natural_rate = 1.0;    // [1/s] grows with the time scale and slowly with the tolerance
 };
 
 /// The least a position can be weighted with: a few units in its last place. Weights do not depend

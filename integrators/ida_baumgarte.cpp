@@ -1,51 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-//
-// The index-1 equations, stabilised after Baumgarte (1972), by BDF; y = (q, v, z, lambda):
-//
-//   R_q = q' - v
-//   R_v = M v' + G^T lambda - Q
-//   R_z = z' - f
-//   R_l = G v' - gamma + 2 alpha (G v + Phi_t) + beta^2 Phi,      alpha = beta: critical damping
-//
-// The gains are constants of the run: gains that change with the step would spoil a multistep
-// method.
+#include <yoke/integrators/baumgarte_equations.hpp>
+
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/integrators/acceleration_matrix.hpp>
-#include <yoke/integrators/ida.hpp>
-
 namespace yoke {
-
-namespace {
-
-class BaumgarteEquations final : public DaeEquations {
- public:
-  BaumgarteEquations(System& system, const Baumgarte& stabilisation);
-
-  int size() const override { return matrix_.size(); }
-  int v() const override { return matrix_.v(); }
-  int z() const override { return matrix_.z(); }
-  int lambda() const override { return matrix_.lambda(); }
-
-  bool calc_residual(double t, const double* y, const double* y_dot, double* residual) override;
-  void calc_jacobian(double t, double c, const double* y, const double* y_dot) override;
-  bool factorise() override { return matrix_.factorise(); }
-  void solve(double* b) override { matrix_.solve(b); }
-  const FactorCounters& counters() const override { return matrix_.counters(); }
-
- private:
-  void calc_constraint_residual(const double* y_dot, double* r_l);
-
-  System& system_;
-  int n_, nz_;
-  Baumgarte stabilisation_;
-  AccelerationMatrix matrix_;
-  MultiplierMask lambda_;
-  std::vector<double> force_;  // [n + 1], the last for the ground
-  std::vector<double> phi_, phi_dot_;
-};
 
 BaumgarteEquations::BaumgarteEquations(System& system, const Baumgarte& stabilisation)
     : system_(system),
@@ -98,10 +58,10 @@ void BaumgarteEquations::calc_jacobian(double t, double c, const double* y, cons
   matrix_.evaluate(t, c, y, y + v(), y + z(), y + lambda(), y_dot + v());
 }
 
-}  // namespace
-
 std::unique_ptr<Formulation> make_ida_baumgarte(Dynamics& dynamics, const Tolerances& tolerances) {
-  const double rate = tolerances.baumgarte_rate;
+  // BDF bears more than an explicit method, and drifts more.
+  const double rate =
+      tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : 4.0 * tolerances.natural_rate;
   return make_ida(dynamics, tolerances,
                   std::make_unique<BaumgarteEquations>(dynamics.system(),
                                                        Baumgarte{.alpha = rate, .beta = rate}));

@@ -41,7 +41,7 @@ struct SimulationOptions {
   int samples = 1001;                             // rows, uniform in time, both ends; 0 or >= 2
   double length_scale = 0.0;                      // [m] error weight of positions
   double time_scale = 0.0;                        // [s] of velocities: length / time
-  double baumgarte_rate = 0.0;                    // [1/s] gain, formulation arkode-baumgarte only
+  double baumgarte_rate = 0.0;                    // [1/s] gain of the formulations after Baumgarte
   Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.

