@@ -13,6 +13,7 @@
 
 #include <yoke/cases/parameters.hpp>
 #include <yoke/core/model.hpp>
+#include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
 
@@ -25,8 +26,16 @@ struct RunRequest {
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation;
   bool plots = true;
-  int jobs = 1;  // runs at a time
+  int jobs = 1;                   // runs at a time
+  bool verify = false;            // run again by another formulation and compare
+  double checkpoint_every = 0.0;  // [s] simulated time; 0: none by time
+  long checkpoint_events = 0;     // 0: none at events
+  bool resume = false;            // go on from the checkpoints in `output`
 };
+
+/// What simulate() is to be told for one run of a request that writes into `folder`.
+SimulationOptions simulation_options(const RunRequest& request, double until, int samples,
+                                     const std::filesystem::path& folder);
 
 /// How a job ended.
 enum class RunStatus { completed, failed, interrupted };

@@ -3,10 +3,13 @@
 #include <yoke/cases/request.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include <yoke/cases/verb.hpp>
 #include <yoke/core/error.hpp>
+#include <yoke/core/result.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
@@ -16,7 +19,8 @@ namespace {
 std::string checked_formulation(const std::string& name) {
   std::vector<std::string> known;
   for (const FormulationNote& note : formulations()) known.emplace_back(note.name);
-  if (name.empty()) return known.front();
+  known.emplace_back("automatic");
+  if (name.empty()) return known.back();
   if (std::ranges::find(known, name) == known.end())
     throw ModelError(fmt::format("unknown formulation '{}'{}", name, suggestion(name, known)));
   return name;
@@ -33,7 +37,7 @@ void print_case_help(const Case& c) {
   }
   if (!c.laws.empty()) fmt::print("\nLaws (--law NAME)\n");
   for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
-  fmt::print("\nFormulations (--formulation NAME; the first is the default)\n");
+  fmt::print("\nFormulations (--formulation NAME; default: automatic, chosen from the model)\n");
   for (const FormulationNote& f : formulations())
     fmt::print("  {:<22} {}\n", f.name, f.description);
 }
@@ -64,6 +68,76 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->type_name("N")
       ->capture_default_str();
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
+  verb.add_flag("--verify", o.verify,
+                "Run again by another formulation at a tighter tolerance and tell how many digits "
+                "of each quantity agree");
+  verb.add_option("--checkpoint", o.checkpoint,
+                  "Write a checkpoint every so much simulated time, as 0.01s, to go on from with "
+                  "'yoke resume DIR'")
+      ->type_name("TIME");
+  verb.add_option("--checkpoint-events", o.checkpoint_events,
+                  "Write a checkpoint at every so many contact events")
+      ->type_name("N");
+}
+
+namespace {
+
+const char* const options_file = "run.json";
+
+/// The fields that decide what a run computes and writes.
+template <class Options, class Visit>
+void visit_options(Options& o, Visit&& visit) {
+  visit("case", o.case_name);
+  visit("set", o.settings);
+  visit("laws", o.laws);
+  visit("samples", o.samples);
+  visit("relative_tolerance", o.relative_tolerance);
+  visit("formulation", o.formulation);
+  visit("no_plots", o.no_plots);
+  visit("verify", o.verify);
+  visit("checkpoint", o.checkpoint);
+  visit("checkpoint_events", o.checkpoint_events);
+}
+
+}  // namespace
+
+void save_options(const RequestOptions& options, const std::filesystem::path& folder) {
+  nlohmann::ordered_json json;
+  visit_options(options, [&](const char* name, const auto& value) { json[name] = value; });
+  make_output_folder(folder);
+  write_text(folder / options_file, json.dump(2));
+}
+
+RequestOptions load_options(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / options_file;
+  std::ifstream file(path);
+  if (!file)
+    throw ModelError(fmt::format("there is no '{}': 'yoke run ... -o {}' did not write here",
+                                 path.string(), folder.string()));
+  RequestOptions options;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(file);
+    visit_options(options, [&](const char* name, auto& value) { json.at(name).get_to(value); });
+  } catch (const nlohmann::json::exception& error) {
+    throw ModelError(fmt::format("'{}' is damaged: {}", path.string(), error.what()));
+  }
+  options.output = folder.string();
+  return options;
+}
+
+SimulationOptions simulation_options(const RunRequest& request, double until, int samples,
+                                     const std::filesystem::path& folder) {
+  SimulationOptions options;
+  options.until = until;
+  options.relative_tolerance = request.relative_tolerance;
+  options.formulation = request.formulation;
+  options.samples = samples;
+  if (request.checkpoint_every > 0.0 || request.checkpoint_events > 0)
+    options.checkpoints = {.folder = folder / "checkpoint",
+                           .every = request.checkpoint_every,
+                           .every_events = request.checkpoint_events,
+                           .resume = request.resume};
+  return options;
 }
 
 RunRequest make_request(const Case& c, const RequestOptions& o) {
@@ -71,6 +145,9 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
     throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
   if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
+  if (o.checkpoint_events < 0)
+    throw ModelError(
+        fmt::format("--checkpoint-events {}: must be at least 1", o.checkpoint_events));
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return {.parameters = Parameters(c.parameters, o.settings),
@@ -80,7 +157,12 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .relative_tolerance = o.relative_tolerance,
           .formulation = checked_formulation(o.formulation),
           .plots = !o.no_plots,
-          .jobs = o.jobs > 0 ? o.jobs : processors};
+          .jobs = o.jobs > 0 ? o.jobs : processors,
+          .verify = o.verify,
+          .checkpoint_every = o.checkpoint.empty()
+                                  ? 0.0
+                                  : parse_quantity("--checkpoint", Quantity::time, o.checkpoint),
+          .checkpoint_events = o.checkpoint_events};
 }
 
 int print_help(const CLI::App& verb, const RequestOptions& options) {

@@ -23,13 +23,22 @@ struct RequestOptions {
   std::string formulation;
   int jobs = 0;
   bool no_plots = false;
+  bool verify = false;
+  std::string checkpoint;  // simulated time between checkpoints, "0.01s"; "": none by time
+  long checkpoint_events = 0;
   bool help = false;
 };
 
 /// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
 void add_case_options(CLI::App& verb, RequestOptions& options);
-/// What a verb that writes results takes besides: -o, --law, --samples, --no-plots.
+/// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --verify,
+/// --checkpoint, --checkpoint-events.
 void add_output_options(CLI::App& verb, RequestOptions& options);
+
+/// Keeps what was typed in FOLDER/run.json, so that `yoke resume FOLDER` can go on.
+void save_options(const RequestOptions& options, const std::filesystem::path& folder);
+/// What was typed. Throws ModelError if the folder holds no such file or a damaged one.
+RequestOptions load_options(const std::filesystem::path& folder);
 
 /// Checks everything that can be checked before the first step. Throws ModelError.
 RunRequest make_request(const Case& c, const RequestOptions& options);

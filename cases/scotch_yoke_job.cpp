@@ -106,14 +106,16 @@ LawRun run_law(const RunRequest& request, const ScotchYoke& choices, const std::
                std::function<bool(const Progress&)> observer) {
   LawRun run{.law = law, .stride = choose_stride(request.samples, choices.revolutions)};
   const Model model = scotch_yoke(choices, scotch_yoke_laws(choices, law));
-  Result result =
-      simulate(model, {.until = choices.end_time(),
-                       .relative_tolerance = request.relative_tolerance,
-                       .formulation = request.formulation,
-                       .samples = request.samples > 0
-                                      ? (request.samples - 1) * static_cast<int>(run.stride) + 1
-                                      : 0,
-                       .observer = std::move(observer)});
+  const int samples =
+      request.samples > 0 ? (request.samples - 1) * static_cast<int>(run.stride) + 1 : 0;
+  SimulationOptions options =
+      simulation_options(request, choices.end_time(), samples, request.output / law);
+  options.observer = std::move(observer);
+  Result result = simulate(model, options);
+  if (request.verify && result.summary.ok()) {
+    options.observer = [](const Progress&) { return !interrupted(); };
+    run.verification = verify(model, options, result);
+  }
   run.regions = region_labels(model);
   run.history = motion_table(result.samples, model, choices, run.regions);
   run.events = std::move(result.events);
@@ -184,6 +186,8 @@ std::string summary_json(const RunRequest& request, const LawRun& run) {
   json.update(nlohmann::ordered_json::parse(to_json(run.summary)));
   json["samples"] = (run.history.rows() + run.stride - 1) / run.stride;
   json["contacts"] = run.contacts;
+  if (run.verification)
+    json["verification"] = nlohmann::ordered_json::parse(to_json(*run.verification));
   json["peak_force_N"] = run.peak_force;
   json["largest_penetration_m"] = run.largest_penetration;
   json["worst_constraint_violation_m"] = run.summary.position_violation;
@@ -200,6 +204,28 @@ void write_run(const RunRequest& request, const ScotchYoke& choices, const LawRu
   thinned(run, choices).write_csv(folder / "motion.csv");
 }
 
+/// Digits that agree, by quantity: the error bar beside the result.
+void print_verification(const std::string& law, const Verification& v) {
+  fmt::print("\n{}: digits that agree with {} at a tolerance of {:g}\n", law, v.formulation,
+             v.relative_tolerance);
+  if (!v.summary.ok()) fmt::print("  it did not complete: {}\n", v.summary.reason);
+  constexpr double as_good_as_equal = 12.0;
+  long equal = 0;
+  for (const Agreement& a : v.quantities) {
+    if (a.digits > as_good_as_equal)
+      ++equal;
+    else
+      fmt::print("  {:<32} {:>5.1f}   largest difference {:.1e} of {:.3g}\n", a.column, a.digits,
+                 a.difference, a.peak);
+  }
+  fmt::print("  {:<32} {:>5.0f} or more\n", fmt::format("{} others", equal), as_good_as_equal);
+  if (v.same_events)
+    fmt::print("  {:<32} all {}, their times within {:.1e} s\n", "events", v.events,
+               v.event_time_difference);
+  else
+    fmt::print("  {:<32} differ: {} and {}\n", "events", v.events, v.other_events);
+}
+
 void print_table(const std::vector<LawRun>& runs) {
   fmt::print("{:<28} {:>10} {:>12} {:>9} {:>8} {:>8} {:>10} {:>10} {:>7}\n", "law", "peak N",
              "deepest um", "contacts", "steps", "rejected", "energy J", "violation", "time s");
@@ -210,6 +236,8 @@ void print_table(const std::vector<LawRun>& runs) {
                run.law, run.peak_force, 1e6 * run.largest_penetration, run.contacts, s.steps,
                s.rejected, s.energy_balance, s.position_violation, s.wall_time);
   }
+  for (const LawRun& run : runs)
+    if (run.verification) print_verification(run.law, *run.verification);
   for (const LawRun& run : runs)
     if (!run.law.empty() && !run.summary.ok())
       fmt::print("{}: stopped at t = {:.6g} s of {:.6g} s: {}\n", run.law, run.summary.t_end,

@@ -5,12 +5,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <yoke/cases/scotch_yoke.hpp>
 #include <yoke/core/result.hpp>
-#include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/verify.hpp>
 
 namespace yoke::cases {
 
@@ -26,6 +27,7 @@ struct LawRun {
   double peak_force = 0.0;           // [N]
   double largest_penetration = 0.0;  // [m]
   long contacts = 0;                 // onsets
+  std::optional<Verification> verification{};
 };
 
 /// One contact from onset to release, by the rows of the history inside it.

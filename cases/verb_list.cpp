@@ -20,7 +20,7 @@ int list() {
     fmt::print("\nLaws of {}\n", c.name);
     for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
   }
-  fmt::print("\nFormulations (the first is the default)\n");
+  fmt::print("\nFormulations (default: automatic, chosen from the model)\n");
   for (const FormulationNote& f : formulations())
     fmt::print("  {:<22} {}\n", f.name, f.description);
   return exit_ok;

@@ -18,7 +18,9 @@ void add_run_verb(CLI::App& app, Action& action) {
     action = [verb, options] {
       if (options->help) return print_help(*verb, *options);
       const Case& c = find_case(options->case_name);
-      return exit_code(c.run(make_request(c, *options)));
+      const RunRequest request = make_request(c, *options);
+      save_options(*options, request.output);
+      return exit_code(c.run(request));
     };
   });
 }

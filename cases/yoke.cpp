@@ -20,6 +20,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   Action action;
   add_run_verb(app, action);
+  add_resume_verb(app, action);
   add_study_verb(app, action);
   add_validate_verb(app, action);
   add_law_verb(app, action);

@@ -183,6 +183,7 @@ std::string to_json(const Summary& s) {
       {"stop", stop[static_cast<int>(s.stop)]},
       {"reason", s.reason},
       {"formulation", s.formulation},
+      {"formulation_reason", s.formulation_reason},
       {"relative_tolerance", s.relative_tolerance},
       {"length_scale_m", s.length_scale},
       {"time_scale_s", s.time_scale},

@@ -59,6 +59,7 @@ struct Summary {
   Stop stop = Stop::failed;
   std::string reason = "not run";  // one sentence; for failures what to try
   std::string formulation;         // which one ran
+  std::string formulation_reason;  // why
   double relative_tolerance = 0.0;
   double length_scale = 0.0;       // [m] used in the error weights
   double time_scale = 0.0;         // [s]

@@ -57,6 +57,7 @@ template <class S, class Visit>
 void visit_summary(S& s, Visit&& visit) {
   visit("reason", s.reason);
   visit("formulation", s.formulation);
+  visit("formulation_reason", s.formulation_reason);
   visit("relative_tolerance", s.relative_tolerance);
   visit("length_scale", s.length_scale);
   visit("time_scale", s.time_scale);

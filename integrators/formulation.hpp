@@ -67,7 +67,10 @@ class Formulation {
 struct FormulationEntry {
   std::string_view name;
   std::string_view description;
-  std::unique_ptr<Formulation> (*make)(Dynamics&, const Tolerances&);
+  int index = 1;              // of the equations as they are integrated
+  std::string_view family{};  // of the method
+  int order = 5;              // highest
+  std::unique_ptr<Formulation> (*make)(Dynamics&, const Tolerances&) = nullptr;
 };
 
 /// All formulations, the default first.

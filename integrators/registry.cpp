@@ -16,24 +16,25 @@ const std::vector<FormulationEntry>& formulation_registry() {
   static const std::vector<FormulationEntry> entries = {
       {"arkode-projection",
        "explicit Runge-Kutta 5(4) on accelerations; positions and velocities projected every step",
-       make_arkode_projection},
-      {"ida-ggl", "BDF on the stabilised index-2 equations of Gear, Gupta and Leimkuhler",
-       make_ida_ggl},
+       1, "Runge-Kutta", 5, make_arkode_projection},
+      {"ida-ggl", "BDF on the stabilised index-2 equations of Gear, Gupta and Leimkuhler", 2, "BDF",
+       5, make_ida_ggl},
       {"cvode-projection",
-       "BDF on accelerations, positions and velocities projected every step; for stiff contacts",
-       make_cvode_projection},
+       "BDF on accelerations, positions and velocities projected every step; for stiff contacts", 1,
+       "BDF", 5, make_cvode_projection},
       {"ida-baumgarte", "BDF on the index-1 equations stabilised after Baumgarte; drifts a little",
-       make_ida_baumgarte},
+       1, "BDF", 5, make_ida_baumgarte},
       {"arkode-baumgarte",
-       "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little",
-       make_arkode_baumgarte},
+       "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little", 1,
+       "Runge-Kutta", 5, make_arkode_baumgarte},
   };
   return entries;
 }
 
 std::vector<FormulationNote> formulations() {
   std::vector<FormulationNote> notes;
-  for (const FormulationEntry& e : formulation_registry()) notes.push_back({e.name, e.description});
+  for (const FormulationEntry& e : formulation_registry())
+    notes.push_back({e.name, e.description, e.index, e.family, e.order});
   return notes;
 }
 

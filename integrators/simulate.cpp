@@ -11,6 +11,7 @@
 #include <yoke/core/fingerprint.hpp>
 #include <yoke/core/recorder.hpp>
 #include <yoke/integrators/checkpoint.hpp>
+#include <yoke/integrators/choice.hpp>
 #include <yoke/integrators/formulation.hpp>
 #include <yoke/integrators/scales.hpp>
 #include <yoke/integrators/start_checks.hpp>
@@ -28,11 +29,13 @@ constexpr double event_window = 1e-6;
 constexpr int max_stalled_steps = 100;
 constexpr double shortest_rest = 1e-14;  // of the end time
 
+constexpr const char* automatic = "automatic";
+
 const FormulationEntry& find_formulation(const std::string& name) {
-  std::string known;
+  std::string known = "'automatic'";
   for (const FormulationEntry& entry : formulation_registry()) {
     if (entry.name == name) return entry;
-    known += fmt::format("{}'{}'", known.empty() ? "" : ", ", entry.name);
+    known += fmt::format(", '{}'", entry.name);
   }
   throw ModelError(fmt::format("unknown formulation '{}': there are {}", name, known));
 }
@@ -59,6 +62,7 @@ class Run {
   Result go();
 
  private:
+  void choose_formulation();
   void set_up();
   bool initialise();
   double next_stop() const;
@@ -86,7 +90,7 @@ class Run {
   double sample_time(long i) const;
 
   const SimulationOptions& options_;
-  const FormulationEntry& entry_;
+  FormulationEntry entry_;
   const Checkpoint* resumed_ = nullptr;
   Clock::time_point began_ = Clock::now();
   double wall_time_before_ = 0.0;  // [s] of the run that is gone on with
@@ -118,14 +122,10 @@ class Run {
 };
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
-    : options_(options),
-      entry_(find_formulation(options.formulation)),
-      dynamics_(model),
-      state_(start),
-      t_start_(start.t) {
+    : options_(options), dynamics_(model), state_(start), t_start_(start.t) {
   check_options(options, start.t);
+  if (options.formulation != automatic) find_formulation(options.formulation);
   Summary& summary = result_.summary;
-  summary.formulation = entry_.name;
   summary.relative_tolerance = options.relative_tolerance;
   summary.t_start = summary.t_end = start.t;
   summary.t_asked = options.until;
@@ -138,6 +138,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   dynamics_.system().set_scales(scales);
   summary.length_scale = scales.length;
   summary.time_scale = scales.time;
+  choose_formulation();
   set_up();
   if (options.checkpoints.folder.empty()) return;
   fingerprint_ = fingerprint(model);
@@ -146,7 +147,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
 
 Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& options)
     : options_(options),
-      entry_(find_formulation(options.formulation)),
+      entry_(find_formulation(c.formulation)),
       resumed_(&c),
       dynamics_(model),
       state_(c.state),
@@ -159,6 +160,15 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
   wall_time_before_ = c.summary.wall_time;
   read_rows(options.checkpoints.folder, c, result_);
   writer_ = std::make_unique<CheckpointWriter>(options.checkpoints.folder, &c);
+}
+
+void Run::choose_formulation() {
+  Choice choice{options_.formulation, "asked for"};
+  if (choice.name == automatic)
+    choice = yoke::choose_formulation(dynamics_.system(), state_, options_.relative_tolerance);
+  entry_ = find_formulation(choice.name);
+  result_.summary.formulation = entry_.name;
+  result_.summary.formulation_reason = choice.reason;
 }
 
 // The workspace: after this a run depends on the state and the options alone.

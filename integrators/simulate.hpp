@@ -35,13 +35,13 @@ struct Checkpoints {
 
 /// Numbers <= 0 mean "chosen from the model".
 struct SimulationOptions {
-  double until = 0.0;                             // [s] end time, > start time
-  double relative_tolerance = 1e-8;               // 1e-13 to 1e-2
-  std::string formulation = "arkode-projection";  // see formulations()
-  int samples = 1001;                             // rows, uniform in time, both ends; 0 or >= 2
-  double length_scale = 0.0;                      // [m] error weight of positions
-  double time_scale = 0.0;                        // [s] of velocities: length / time
-  double baumgarte_rate = 0.0;                    // [1/s] gain of the formulations after Baumgarte
+  double until = 0.0;                     // [s] end time, > start time
+  double relative_tolerance = 1e-8;       // 1e-13 to 1e-2
+  std::string formulation = "automatic";  // or a name of formulations()
+  int samples = 1001;                     // rows, uniform in time, both ends; 0 or >= 2
+  double length_scale = 0.0;              // [m] error weight of positions
+  double time_scale = 0.0;                // [s] of velocities: length / time
+  double baumgarte_rate = 0.0;            // [1/s] gain of the formulations after Baumgarte
   Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
@@ -64,10 +64,14 @@ Result resume(const Model& model, const std::filesystem::path& folder,
 /// equation.
 State assembled_state(const Model& model);
 
-/// Name and one line about each formulation.
+/// Name and one line about each formulation; the index of the equations it integrates and the
+/// family of its method, so that two can be chosen that have nothing in common.
 struct FormulationNote {
   std::string_view name;
   std::string_view description;
+  int index = 1;
+  std::string_view family;
+  int order = 5;  // highest
 };
 std::vector<FormulationNote> formulations();
 

@@ -71,7 +71,7 @@ void check_checkpoint(const Model& model, const SimulationOptions& options, cons
   };
   same("until", options.until, c.until);
   same("relative_tolerance", options.relative_tolerance, c.relative_tolerance);
-  same("formulation", options.formulation, c.formulation);
+  if (options.formulation != "automatic") same("formulation", options.formulation, c.formulation);
   same("samples", options.samples, c.samples);
   same("checkpoints.every", options.checkpoints.every, c.every);
   same("checkpoints.every_events", options.checkpoints.every_events, c.every_events);

@@ -240,6 +240,45 @@ TEST_SUITE("program") {
   }
 
   // A limit on the size of files acts as a full disk does.
+  TEST_CASE("a killed run goes on from its checkpoint and ends with the same bytes") {
+    const Scratch scratch;
+    const std::string run =
+        "run scotch_yoke --law table11-johnson --samples 201 --set revolutions=1 --no-plots "
+        "--checkpoint 0.01s -o ";
+    CHECK(yoke(scratch, run + "whole").code == 0);
+    const pid_t child =
+        start("cd '" + scratch.path.string() + "'; " + program + " " + run + "cut >log 2>&1");
+    const fs::path checkpoint = scratch.path / "cut/table11-johnson/checkpoint/checkpoint.bin";
+    for (int i = 0; i < 2000 && !fs::exists(checkpoint); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(child, SIGKILL);
+    wait_for(child);
+    CHECK(yoke(scratch, "resume cut").code == 0);
+    for (const char* file : {"motion.csv", "events.csv"})
+      CHECK(content(scratch.path / "cut/table11-johnson" / file) ==
+            content(scratch.path / "whole/table11-johnson" / file));
+    const Outcome nothing = yoke(scratch, "resume nowhere");
+    CHECK(nothing.code == 1);
+    CHECK(contains(nothing.out, "there is no 'nowhere/run.json'"));
+  }
+
+  TEST_CASE("--verify writes how many digits of each quantity agree") {
+    const Scratch scratch;
+    const Outcome outcome =
+        yoke(scratch,
+             "run scotch_yoke --law table11-johnson --samples 101 --set revolutions=0.3 --no-plots "
+             "--verify -o out");
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.out, "digits that agree with ida-ggl at a tolerance of 1e-12"));
+    const auto summary =
+        nlohmann::json::parse(content(scratch.path / "out/table11-johnson/summary.json"));
+    CHECK(summary.at("formulation") == "arkode-projection");
+    CHECK(summary.at("verification").at("formulation") == "ida-ggl");
+    CHECK(summary["verification"]["same_events"] == true);
+    CHECK(summary["verification"]["digits"]["slider.x_m"] > 6.0);
+    CHECK(summary["verification"]["worst"]["digits"] > 3.0);
+  }
+
   TEST_CASE("a full disk leaves whole rows and is reported") {
     const Scratch scratch;
     const Outcome full =
