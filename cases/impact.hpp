@@ -5,6 +5,14 @@
 //
 //   two bodies  a (mass 3/2 m) flies into b (mass 3 m) at rest; both end free, effective mass m
 //   wall        a (mass m) flies into a wall
+//   slot        a pin (mass 3/2 m) flies into the outer wall of an arc slot in b (mass 3 m), at
+//   rest
+//               and free; the normal passes through both centres of mass, effective mass m
+//   pendulum    a body on a fixed pivot swings into a stop whose normal is perpendicular to the
+//   arm;
+//               no gravity. With c from the pivot to the centre of mass and the arm L, effective
+//               mass m = (I + m_p c^2)/L^2. L is 1.25e5 times the elastic penetration, so that the
+//               way along the arc and the way along the normal agree to 1e-11.
 //
 // Largest penetration and largest force are not read from samples: a gauge watches the rate and
 // dF/dt and is called where they cross zero. It acts on nothing and does not restart the
@@ -13,6 +21,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <yoke/contact/law.hpp>
@@ -20,7 +29,7 @@
 namespace yoke::cases {
 
 struct Impact {
-  enum class Setup { two_bodies, wall };
+  enum class Setup { two_bodies, wall, slot, pendulum };
 
   ContactLaw law;
   double speed = 0.0;  // [m/s] of approach, > 0
@@ -39,14 +48,21 @@ struct ImpactOutcome {
   double restitution = 0.0;
   double max_penetration = 0.0;  // [m]
   double max_force = 0.0;        // [N]
-  double duration = 0.0;         // [s] from first touch to separation
+  double duration = 0.0;         // [s] from first touch to the last separation
   double permanent_set = 0.0;    // [m]
   double dissipated = 0.0;       // [J] by the law's own formula, integrated along the run
   double kinetic_loss = 0.0;     // [J] of the bodies
-  double momentum_error = 0.0;   // of the total momentum, relative; two bodies only
+  double momentum_error = 0.0;   // of the total momentum, relative; where nothing is fixed
   long steps = 0;
   std::vector<LoopPoint> loop;
 };
+
+/// "bodies", "wall", "slot", "pendulum", as on the command line.
+std::string name_of(Impact::Setup setup);
+/// Throws ModelError that lists the names.
+Impact::Setup setup_named(std::string_view name);
+inline constexpr Impact::Setup all_setups[] = {Impact::Setup::two_bodies, Impact::Setup::wall,
+                                               Impact::Setup::slot, Impact::Setup::pendulum};
 
 /// Throws ModelError for a parameter out of range, and if the run fails or the surfaces do not
 /// part.

@@ -13,7 +13,7 @@ namespace yoke::cases {
 /// tightened: distance to a reference run, amplification of a perturbation, energy ledger, drift.
 std::string convergence_document();
 
-/// Central impacts: every dissipative law x elastic law x restitution asked for, by both
+/// Central impacts: every dissipative law x elastic law x restitution asked for x geometry, by both
 /// integrators, against the law's closed form.
 std::string impacts_document();
 /// The same as impacts.md, impacts.csv and impacts.json.

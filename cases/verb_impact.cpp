@@ -154,9 +154,7 @@ void plot_loop(const ImpactOptions& o, const std::vector<LoopPoint>& loop) {
 
 int impact_verb(const ImpactOptions& o) {
   check_format(o.format, {"text", "csv", "json"});
-  if (o.setup != "bodies" && o.setup != "wall")
-    throw ModelError(
-        fmt::format("--setup '{}'{}", o.setup, suggestion(o.setup, {"bodies", "wall"})));
+  const Impact::Setup setup = setup_named(o.setup);
   if (o.speed.empty()) throw ModelError("--speed is missing: of approach, for instance 0.37 [m/s]");
   if (o.mass.empty()) throw ModelError("--mass is missing: effective mass, for instance 1.3 [kg]");
   const double speed = parse_in("--speed", o.speed, "m/s");
@@ -170,7 +168,7 @@ int impact_verb(const ImpactOptions& o) {
   const Impact impact{.law = {elastic, dissipation},
                       .speed = speed,
                       .mass = mass,
-                      .setup = o.setup == "wall" ? Impact::Setup::wall : Impact::Setup::two_bodies,
+                      .setup = setup,
                       .relative_tolerance = o.relative_tolerance,
                       .formulation = o.formulation,
                       .samples = o.plot ? loop_samples : 0};
@@ -214,7 +212,8 @@ void add_impact_verb(CLI::App& app, Action& action) {
   verb->add_flag("--empirical", o->empirical, "herbert-mcwhannell: restitution from the speed");
   verb->add_option("--speed", o->speed, "[m/s] of approach")->type_name("X");
   verb->add_option("--mass", o->mass, "[kg] effective mass")->type_name("X");
-  verb->add_option("--setup", o->setup, "bodies (two, free) or wall (fixed)")
+  verb->add_option("--setup", o->setup,
+                   "bodies (two, free), wall (fixed), slot (a pin in one) or pendulum")
       ->type_name("NAME")
       ->capture_default_str();
   verb->add_option("--rtol", o->relative_tolerance, "Relative tolerance, 1e-13 to 1e-2")

@@ -151,10 +151,33 @@ void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   if (is_lifted(memory)) {
     g[onset] = calc_regain(in, d);
     g[forget] = memory.permanent_set - d;
+    calc_events_lifted(in, g);
   } else {
     g[onset] = d - memory.release_penetration;
     g[forget] = -d;
   }
+}
+
+/// Nothing holds the steps of a lifted contact back: what the law does within one has to be
+/// watched.
+void ContactElement::calc_events_lifted(const ForceInput& in, double* g) const {
+  const ContactMemory& memory = *in.contact;
+  const ContactLaw& here = law(memory.region);
+  ContactKinematics k;
+  geometry_->calc_kinematics(in.motion, memory.region, false, k);
+  const double d = k.penetration, d_rate = rate(k, in.motion);
+  g[kink] = calc_kink(here, memory, d, d_rate);
+  // One step may reach far below the end of the contact, where the law means nothing.
+  const double end = std::max(d, memory.permanent_set);
+  g[fullest] = here.evaluate({end, d_rate, memory}).dforce_dpenetration;
+}
+
+/// [m] positive where the contact has passed the corner of its law.
+double ContactElement::calc_kink(const ContactLaw& here, const ContactMemory& memory, double d,
+                                 double d_rate) const {
+  if (!here.dissipation.has_kink()) return -1.0;
+  const double side = here.dissipation.kink({d, d_rate, memory}, here.elastic);
+  return (memory.past_kink ? -side : side) - touch_tolerance;
 }
 
 /// [N] positive where a lifted contact presses again. Below the permanent set the continuation of
@@ -174,6 +197,7 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
   const double d = k.penetration, d_rate = rate(k, in.motion);
 
   g[release] = memory.permanent_set - d;
+  g[kink] = calc_kink(here, memory, d, d_rate);
   if (here.dissipation.release() == Release::at_zero_force)
     g[pull_off] = calc_pull_off(here, memory, d, d_rate);
   if (here.dissipation.needs_largest_penetration()) {
@@ -273,6 +297,9 @@ void ContactElement::handle_event(int event, EventContext& context) const {
         check_limit(context, region, geometry_->penetration(context.input.motion, region));
       }
       break;
+    case kink:
+      if (!apart || is_lifted(*context.contact)) handle_kink(context);
+      break;
     default:
       break;
   }
@@ -310,8 +337,15 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
   memory.onset_time = context.input.motion.t;
   memory.approach_velocity = std::max(now.rate, 0.0);
   memory.effective_mass = context.effective_mass(now.gradient.data());
+  note_side_of_kink(memory, now);
   if (now.rate <= 0.0 && law(region).dissipation.needs_largest_penetration())
     end_compression(memory, now.penetration);
+}
+
+void ContactElement::note_side_of_kink(ContactMemory& memory, const Approach& now) const {
+  const ContactLaw& here = law(memory.region);
+  memory.past_kink = here.dissipation.has_kink() &&
+                     here.dissipation.kink({now.penetration, now.rate, memory}, here.elastic) > 0.0;
 }
 
 void ContactElement::end_compression(ContactMemory& memory, double penetration) const {
@@ -378,6 +412,7 @@ void ContactElement::handle_region_end(EventContext& context) const {
   memory.region = geometry_->successor(context.input.motion, memory.region);
   const Approach now = calc_approach(context, memory.region);
   record(context, "region", memory.region, now);
+  note_side_of_kink(memory, now);
   if (memory.phase == ContactPhase::apart) return;
 
   // The law may be another one: bring the memory to what it expects.
@@ -394,6 +429,11 @@ void ContactElement::handle_region_end(EventContext& context) const {
   if (context.dissipate)
     context.dissipate(stored_before - calc_law(context.input, memory).stored_energy);
   check_limit(context, memory.region, now.penetration);
+}
+
+/// The memory changes, so the integrator starts afresh.
+void ContactElement::handle_kink(EventContext& context) const {
+  context.contact->past_kink = !context.contact->past_kink;
 }
 
 void ContactElement::check_limit(EventContext& context, int region, double penetration) const {

@@ -18,8 +18,10 @@
 //                largest penetration (`reload`), which is compression again.
 //   region       in contact, when the point of contact passes into the next region.
 //   closest      apart, at the deepest or nearest point of an approach (d' = 0): nothing happens,
-//   but a
-//                touch that came and went within one step is noticed there, and located.
+//                but a touch that came and went within one step is noticed there, and located.
+//   kink         where the law's formula has a corner, if it says so: the method starts afresh.
+//   fullest      lifted (below), where the law's force is largest over d: nothing happens, but a
+//                force that came and went within one step is noticed there.
 //   failure      at 99 % of the largest penetration the elastic law is valid for.
 // Two kinds of "apart" have a memory, told apart by memory.release_penetration:
 //   dented       let go at a permanent set > 0: met again at that penetration, on the unloading
@@ -119,6 +121,8 @@ class ContactElement final : public ForceElement {
     region_end,
     limit,
     closest,
+    kink,
+    fullest,
     event_count
   };
   int events() const override { return event_count; }
@@ -144,10 +148,13 @@ class ContactElement final : public ForceElement {
   Approach calc_approach(const EventContext& context, int region) const;
 
   void calc_events_apart(const ForceInput& in, double* g) const;
+  void calc_events_lifted(const ForceInput& in, double* g) const;
   void calc_events_in_contact(const ForceInput& in, double* g) const;
   double calc_pull_off(const ContactLaw& here, const ContactMemory& memory, double d,
                        double d_rate) const;
   double calc_regain(const ForceInput& in, double penetration) const;
+  double calc_kink(const ContactLaw& here, const ContactMemory& memory, double d,
+                   double d_rate) const;
 
   void handle_onset(EventContext& context) const;
   void handle_release(EventContext& context, bool lifted) const;
@@ -155,6 +162,8 @@ class ContactElement final : public ForceElement {
   void handle_reload(EventContext& context) const;
   void handle_forget(EventContext& context) const;
   void handle_region_end(EventContext& context) const;
+  void handle_kink(EventContext& context) const;
+  void note_side_of_kink(ContactMemory& memory, const Approach& now) const;
   void begin(EventContext& context, int region, const Approach& now) const;
   void end_compression(ContactMemory& memory, double penetration) const;
   void check_limit(EventContext& context, int region, double penetration) const;

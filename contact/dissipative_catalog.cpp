@@ -211,8 +211,7 @@ const std::vector<Entry>& entries() {
         .caveats = {"the force steps by exp(-2 q) c v_i at first touch",
                     "where the force pulls and is clamped, the contact lets go, may press once "
                     "more near d = 0 because T fades before the spring does, and lets go again",
-                    "kinks at d = eps, where no event is located: tighten the tolerance by a "
-                    "decade for 1e-8",
+                    "a corner at d = eps, which is located",
                     "needs a linear elastic law; with another the local stiffness takes the place "
                     "of K and the derivative of the force is not exact"},
         .parameters = {{"restitution", "1, 0.001 to 1"},

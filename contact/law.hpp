@@ -138,6 +138,10 @@ concept DissipativeFunction = requires(const F& law, const ContactInput& input,
 ///       [m], computed at the end of compression (implies the former); the contact lets go there,
 ///       and is met there again by a reload until the surfaces have been apart.
 ///   Release release() const
+///   double kink(const ContactInput&, const ElasticLaw&) const
+///       [m] changes sign where the formula has a corner (of the force or its derivatives), about
+///       the distance from it: no step then passes over the corner, and the accuracy of the method
+///       is kept. Without it the formula is smooth while in contact.
 ///   std::string name() const, void check() const     as for ElasticLaw
 class DissipativeLaw {
  public:
@@ -148,6 +152,7 @@ class DissipativeLaw {
   DissipativeLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
     needs_largest_penetration_ = function_->needs_largest_penetration();
     release_ = function_->release();
+    has_kink_ = function_->has_kink();
   }
 
   ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const {
@@ -158,6 +163,11 @@ class DissipativeLaw {
 
   bool needs_largest_penetration() const { return needs_largest_penetration_; }
   Release release() const { return release_; }
+  bool has_kink() const { return has_kink_; }
+  /// Changes sign at the corner of the formula; only if has_kink().
+  double kink(const ContactInput& in, const ElasticLaw& elastic) const {
+    return function_->kink(in, elastic);
+  }
   double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const {
     return function_ ? function_->permanent_set(memory, elastic) : 0.0;
   }
@@ -171,6 +181,8 @@ class DissipativeLaw {
     virtual bool needs_largest_penetration() const = 0;
     virtual Release release() const = 0;
     virtual double permanent_set(const ContactMemory&, const ElasticLaw&) const = 0;
+    virtual bool has_kink() const = 0;
+    virtual double kink(const ContactInput&, const ElasticLaw&) const = 0;
     virtual std::string name() const = 0;
   };
 
@@ -200,12 +212,23 @@ class DissipativeLaw {
       else
         return 0.0;
     }
+    bool has_kink() const override { return kinked; }
+    double kink(const ContactInput& in, const ElasticLaw& elastic) const override {
+      if constexpr (kinked)
+        return law.kink(in, elastic);
+      else
+        return -1.0;
+    }
     std::string name() const override {
       if constexpr (requires { law.name(); })
         return law.name();
       else
         return "dissipative law";
     }
+    static constexpr bool kinked =
+        requires(const F& f, const ContactInput& in, const ElasticLaw& e) {
+      { f.kink(in, e) } -> std::convertible_to<double>;
+    };
     static constexpr bool has_permanent_set =
         requires(const F& f, const ContactMemory& m, const ElasticLaw& e) {
       { f.permanent_set(m, e) } -> std::convertible_to<double>;
@@ -215,6 +238,7 @@ class DissipativeLaw {
 
   std::shared_ptr<const Function> function_;
   bool needs_largest_penetration_ = false;
+  bool has_kink_ = false;
   Release release_ = Release::at_zero_force;
 };
 

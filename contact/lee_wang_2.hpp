@@ -40,11 +40,18 @@ struct LeeWang2 {
     if (!(r.stiffness > 1e-100 && in.memory.effective_mass > 0.0))
       return damped_beside(r, 0.0, 0.0, in.rate);
     const double m = in.memory.effective_mass, w = std::sqrt(r.stiffness / m);
-    const double eps = epsilon * std::max(in.memory.approach_velocity, slowest_approach) / w;
+    const double eps = end_of_transition(in.memory, w);
     const bool within = in.penetration < eps;
     const double T = within ? std::exp(2.0 * q * (in.penetration - eps) / eps) : 1.0;
     const double c = 2.0 * m * w * damping_ratio(e) * T;
     return damped_beside(r, c, within ? 2.0 * q / eps * c : 0.0, in.rate);
+  }
+  /// T has a corner at d = eps.
+  double kink(const ContactInput& in, const ElasticLaw& elastic) const {
+    const ElasticResponse r = elastic.response(in.penetration);
+    if (!(r.stiffness > 1e-100 && in.memory.effective_mass > 0.0)) return -1.0;
+    return in.penetration -
+           end_of_transition(in.memory, std::sqrt(r.stiffness / in.memory.effective_mass));
   }
   Release release() const { return release_of(tensile); }
   std::string name() const { return "lee-wang-2"; }
@@ -54,6 +61,11 @@ struct LeeWang2 {
     require_range("law 'lee-wang-2'", "q", q, 0.0, 100.0);
     require_range("law 'lee-wang-2'", "epsilon", epsilon, 1e-6, 1.0);
     require_positive("law 'lee-wang-2'", "slowest_approach", slowest_approach, "m/s");
+  }
+
+ private:
+  double end_of_transition(const ContactMemory& memory, double w) const {  // eps [m]
+    return epsilon * std::max(memory.approach_velocity, slowest_approach) / w;
   }
 };
 

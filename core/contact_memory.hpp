@@ -20,6 +20,7 @@ struct ContactMemory {
   double largest_penetration = 0.0;  // [m] at the last end of compression
   double permanent_set = 0.0;        // [m] residual indentation left by this contact
   double release_penetration = 0.0;  // [m] of the next onset: a dent, a lifted contact, or a margin
+  bool past_kink = false;            // of the dissipative law, if its formula has one
   friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
 };
 
