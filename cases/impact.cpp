@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include <yoke/cases/law_options.hpp>
 #include <yoke/cases/quantity.hpp>
 #include <yoke/contact/arc_slot.hpp>
 #include <yoke/contact/contact_element.hpp>
@@ -276,6 +277,17 @@ void build(Scene& scene, const Impact& impact, const Scale& scale) {
 }
 
 }  // namespace
+
+std::string loop_csv(const std::vector<LoopPoint>& loop) {
+  std::string text = "t_s,penetration_m,rate_m_per_s,force_N\n";
+  for (const LoopPoint& p : loop) {
+    if (p.force == 0.0 && p.penetration < 0.0) continue;  // before the touch
+    text += fmt::format("{},{},{},{}\n", exactly(p.t), exactly(p.penetration), exactly(p.rate),
+                        exactly(p.force));
+  }
+  text.pop_back();  // write_text ends the last line
+  return text;
+}
 
 std::optional<double> power_of(const ElasticLaw& law) {
   if (std::isfinite(law.limit())) return std::nullopt;

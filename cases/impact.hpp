@@ -68,6 +68,9 @@ inline constexpr Impact::Setup all_setups[] = {Impact::Setup::two_bodies, Impact
 /// part.
 ImpactOutcome simulate_impact(const Impact& impact);
 
+/// The loop as a table: t_s, penetration_m, rate_m_per_s, force_N; while the surfaces touch.
+std::string loop_csv(const std::vector<LoopPoint>& loop);
+
 /// n of a power law K d^n, found from the law itself; nothing for any other law.
 std::optional<double> power_of(const ElasticLaw& law);
 

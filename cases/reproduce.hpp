@@ -37,8 +37,8 @@ std::string tables_document();
 /// The same as tables.md and tables.csv.
 void write_tables(const std::filesystem::path& folder);
 
-/// Figures 3, 6 and 10 from the laws: data, gnuplot scripts and pictures. Returns what to tell the
-/// user.
+/// Figures 2, 3, 5, 6, 7, 10, 15 and the loops of all dissipative laws: data, gnuplot scripts and
+/// pictures. Returns what to tell the user.
 std::string write_figures(const std::filesystem::path& folder);
 
 }  // namespace yoke::cases

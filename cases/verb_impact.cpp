@@ -134,13 +134,7 @@ void print_text(const ImpactOptions& o, const Impact& impact, const Report& r) {
 void plot_loop(const ImpactOptions& o, const std::vector<LoopPoint>& loop) {
   const std::filesystem::path folder = o.output;
   make_output_folder(folder);
-  std::string csv = "t_s,penetration_m,rate_m_per_s,force_N\n";
-  for (const LoopPoint& p : loop) {
-    if (p.force == 0.0 && p.penetration < 0.0) continue;  // before the touch
-    csv += fmt::format("{},{},{},{}\n", exactly(p.t), exactly(p.penetration), exactly(p.rate),
-                       exactly(p.force));
-  }
-  write_text(folder / "loop.csv", csv);
+  write_text(folder / "loop.csv", loop_csv(loop));
   const Figure figure{
       .name = "loop",
       .title = fmt::format("{} with {}: force over penetration", o.elastic.elastic, o.dissipation),

@@ -32,7 +32,8 @@ void add_reproduce_verb(CLI::App& app, Action& action) {
   });
 
   CLI::App* figures = verb->add_subcommand(
-      "figures", "Figures 3, 6 and 10: transition function, Tsuji's coefficient, one stiffness");
+      "figures",
+      "Figures 2, 3, 5, 6, 7, 10 and 15 and the loops of all laws: data, scripts, pictures");
   auto pictures = std::make_shared<std::string>();
   figures->add_option("-o,--output", *pictures, "Folder for data and pictures")->required();
   figures->callback([pictures, &action] {

@@ -6,14 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <yoke/cases/reproduce.hpp>
+#include <yoke/contact/dissipative_catalog.hpp>
 #include <yoke/contact/elastic_catalog.hpp>
 #include <yoke/contact/gonthier.hpp>
 #include <yoke/contact/hertz.hpp>
@@ -171,6 +174,136 @@ TEST_CASE("errata: the series of Lee and Wang, Eq. (34), has no real duration wi
   CHECK(1.0 - 4.0 / 2.0 == -1.0);
   CHECK(12.0 * 12.0 - 4.0 * 48.0 < 0.0);
   CHECK(std::cos(std::sqrt(pi * pi)) == Approx(-1.0));
+}
+
+namespace {
+
+/// The columns of a CSV file below its head.
+struct Table {
+  std::string head;
+  std::vector<std::vector<double>> rows;
+  std::vector<double> column(std::size_t c) const {
+    std::vector<double> values;
+    for (const auto& row : rows) values.push_back(row[c]);
+    return values;
+  }
+};
+
+Table read_table(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  REQUIRE_MESSAGE(file.good(), path.string());
+  Table table;
+  std::getline(file, table.head);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream cells(line);
+    table.rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');)
+      table.rows.back().push_back(std::stod(cell));
+  }
+  REQUIRE(!table.rows.empty());
+  return table;
+}
+
+/// Area of the loop of force over penetration, closed through zero: the energy lost.
+double area(const Table& loop) {
+  double sum = 0.0;
+  std::vector<double> last{0.0, 0.0, 0.0, 0.0};
+  for (const auto& row : loop.rows) {
+    sum += 0.5 * (row[3] + last[3]) * (row[1] - last[1]);
+    last = row;
+  }
+  return sum - 0.5 * last[3] * last[1];
+}
+
+double largest(const std::vector<double>& values) { return *std::ranges::max_element(values); }
+
+}  // namespace
+
+TEST_CASE("the figures of the paper made again: files, and values known in closed form") {
+  const std::filesystem::path folder =
+      std::filesystem::path(YOKE_BINARY_DIR) / "results" / "figures_test";
+  std::filesystem::remove_all(folder);
+  const std::string said = cases::write_figures(folder);
+  const bool drawn = said.find("gnuplot is not installed") == std::string::npos;
+  for (const char* name : {"figure2", "figure3", "figure5", "figure6", "figure7", "figure10",
+                           "figure15", "hysteresis"}) {
+    INFO(name);
+    CHECK(std::filesystem::exists(folder / (std::string(name) + ".gp")));
+    if (!drawn) continue;
+    CHECK(std::filesystem::file_size(folder / (std::string(name) + ".png")) > 5000);
+    CHECK(std::filesystem::file_size(folder / (std::string(name) + ".svg")) > 5000);
+  }
+  const double K = 1e8, m = 1.3, v = 0.37, energy = 0.5 * m * v * v;
+  const double deepest = std::pow(2.5 * energy / K, 0.4);
+
+  // Figure 2: the area is the energy lost, by the closed form of the restitution (errata).
+  for (const auto& [e, returned] :
+       {std::pair{0.9, 0.9090157413}, {0.7, 0.7679997891}, {0.5, 0.6629622000}}) {
+    const Table loop = read_table(folder / fmt::format("figure2-{:g}.csv", e));
+    CHECK(loop.head == "t_s,penetration_m,rate_m_per_s,force_N");
+    CHECK(area(loop) == Approx(energy * (1.0 - returned * returned)).epsilon(1e-4));
+  }
+  // Figure 3: exp(2 q (x - 1)) up to 1, then 1.
+  const Table transition = read_table(folder / "figure3.csv");
+  CHECK(transition.head == "x,q2,q3,q4");
+  CHECK(transition.rows.size() == 300);
+  for (const auto& row : transition.rows)
+    for (std::size_t c = 1; c < 4; ++c)
+      CHECK(row[c] ==
+            Approx(std::exp(2.0 * static_cast<double>(c + 1) * std::min(row[0] - 1.0, 0.0)))
+                .epsilon(1e-6));
+  // Figure 5: depth and duration of the elastic impact; the damped one is less deep.
+  const Table elastic = read_table(folder / "figure5-none.csv");
+  CHECK(largest(elastic.column(1)) == Approx(deepest).epsilon(1e-5));
+  const double duration = elastic.rows.back()[0] - elastic.rows.front()[0];
+  CHECK(duration == Approx(2.0 * deepest / v * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9))
+                        .epsilon(2e-3));  // the first sample comes up to one sample late
+  const Table damped = read_table(folder / "figure5-lankarani-nikravesh.csv");
+  CHECK(largest(damped.column(1)) < 0.95 * deepest);
+  // Figure 6: sqrt(5) xi.
+  const Table tsuji = read_table(folder / "figure6.csv");
+  for (const auto& row : tsuji.rows) {
+    const double l = std::log(std::max(row[0], 1e-3));
+    CHECK(row[1] == Approx(-std::sqrt(5.0) * l / std::sqrt(l * l + pi * pi)).epsilon(1e-6));
+  }
+  CHECK(tsuji.rows.back()[0] == 1.0);
+  // Figure 7: ends at d_m (1 - e^2) without force, e^2 of the energy given back.
+  const Table dent = read_table(folder / "figure7.csv");
+  CHECK(dent.rows.back()[1] == Approx(deepest * (1.0 - 0.49)).epsilon(1e-6));
+  CHECK(largest(dent.column(3)) == Approx(K * std::pow(deepest, 1.5)).epsilon(1e-4));
+  CHECK(area(dent) == Approx(energy * (1.0 - 0.49)).epsilon(1e-3));
+  // Figure 10: at 1 mm of clearance; the larger radius difference, outside, gives more.
+  const Table one = read_table(folder / "figure10-steel.csv");
+  CHECK(one.head == "clearance_mm,DR5,DR10,DR30,DR60");
+  CHECK(one.rows.front()[1] == Approx(0.0));
+  CHECK(one.rows.back()[0] == 1.0);
+  for (const auto& [c, DR] : {std::pair{1, 5.0}, {2, 10.0}, {3, 30.0}, {4, 60.0}})
+    CHECK(one.rows.back()[static_cast<std::size_t>(c)] ==
+          Approx(
+              100.0 *
+              (johnson_at_10_kN_per_mm(steel, DR + 1.0) / johnson_at_10_kN_per_mm(steel, DR) - 1.0))
+              .epsilon(1e-6));
+  CHECK(one.rows.back()[1] > 3.0);
+  // Figure 15: the stiffer, the higher; alpha = 0.32 s/m loses the same share whatever the law.
+  const double X = 1.5 * 0.32 * 0.19, lost = 0.5 * 2.353 * 0.19 * 0.19;
+  double last = 0.0;
+  for (const char* law : {"esdu-78035", "goldsmith", "radzimovsky", "johnson"}) {
+    const Table loop = read_table(folder / fmt::format("figure15-{}.csv", law));
+    CHECK(largest(loop.column(3)) > last);
+    last = largest(loop.column(3));
+    const double e = 1.0 - 2.0 / 3.0 * X + 4.0 / 9.0 * X * X;
+    CHECK(area(loop) == Approx(lost * (1.0 - e * e)).epsilon(5e-3));
+  }
+  // Every law of damping has its loop, and loses what it delivers.
+  for (const DissipativeNote& note : dissipative_catalog()) {
+    if (note.name == "none") continue;
+    INFO(note.name);
+    const Table loop = read_table(folder / ("hysteresis-" + note.name + ".csv"));
+    const auto e =
+        closed_form_restitution(note.name, {.restitution = 0.7}, note.linear_only ? 1.0 : 1.5, v);
+    if (!e) continue;
+    CHECK(area(loop) == Approx(energy * (1.0 - *e * *e)).epsilon(5e-3));
+  }
 }
 
 TEST_CASE("errata: Gonthier's damping near e = 1 is 3/2 (1 - e), not 3/4") {
