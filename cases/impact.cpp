@@ -104,7 +104,9 @@ class Gauge final : public ForceElement {
     g[deepest] = -rate;
     g[strongest] = -1.0;
     // The law of unloading needs a memory that only the contact has; its force falls anyway.
-    if (d <= 0.0 || (law_.dissipation.needs_largest_penetration() && rate <= 0.0)) return;
+    if (d <= 0.0 || d > law_.penetration_limit() ||
+        (law_.dissipation.needs_largest_penetration() && rate <= 0.0))
+      return;
     const ContactOutput f = law_.evaluate({d, rate, memory_});
     g[strongest] = -(f.dforce_dpenetration * rate - f.dforce_drate * f.force / mass_);
   }
@@ -116,7 +118,7 @@ class Gauge final : public ForceElement {
     note_force(d, rate);
   }
   void note_force(double d, double rate) const {
-    if (d < 0.0) return;
+    if (d < 0.0 || d > law_.penetration_limit()) return;
     extremes_->force = std::max(extremes_->force, law_.evaluate({d, rate, memory_}).force);
   }
 

@@ -143,7 +143,7 @@ int eval(const EvalOptions& o) {
 
 struct FitOptions {
   ElasticOptions law;
-  std::string max_load;
+  std::string max_load, min_load;
   int samples = 10001;
   std::string format = "text";
 };
@@ -164,15 +164,16 @@ int fit(FitOptions o) {
     assumed.push_back(fmt::format("--length {}", paper_length));
   }
   const ElasticLaw law = elastic_law(law_options);
-  const PowerFit f = fit_power_law(law, max_load, o.samples);
+  const double min_load = o.min_load.empty() ? 0.0 : parse_in("--min-load", o.min_load, "N");
+  const PowerFit f = fit_power_law(law, max_load, o.samples, min_load);
   const double K_mm = f.K * std::pow(1000.0, -f.n);
   if (o.format == "csv") {
     fmt::print(
         "K_N_per_m_n,n,K_N_per_mm_n,max_relative_error,rms_relative_error,relative_error_at_small_"
-        "load,max_load_N,samples\n");
-    fmt::print("{},{},{},{},{},{},{},{}\n", exactly(f.K), exactly(f.n), exactly(K_mm),
+        "load,max_load_N,samples,min_load_N\n");
+    fmt::print("{},{},{},{},{},{},{},{},{}\n", exactly(f.K), exactly(f.n), exactly(K_mm),
                exactly(f.max_error), exactly(f.rms_error), exactly(f.error_at_small_load),
-               exactly(f.max_load), f.samples);
+               exactly(f.max_load), f.samples, exactly(f.min_load));
   } else if (o.format == "json") {
     const nlohmann::ordered_json json = {{"elastic", law.name()},
                                          {"reading", law_options.reading},
@@ -182,13 +183,14 @@ int fit(FitOptions o) {
                                          {"max_relative_error", f.max_error},
                                          {"rms_relative_error", f.rms_error},
                                          {"relative_error_at_small_load", f.error_at_small_load},
+                                         {"min_load_N", f.min_load},
                                          {"max_load_N", f.max_load},
                                          {"samples", f.samples},
                                          {"assumed", assumed}};
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{} ({}), loads 0 to {:g} N, {} samples\n", law.name(), law_options.reading,
-               f.max_load, f.samples);
+    fmt::print("{} ({}), loads {:g} to {:g} N, {} samples\n", law.name(), law_options.reading,
+               f.min_load, f.max_load, f.samples);
     if (!assumed.empty())
       fmt::print("  assumed    {}, as in the paper's tables\n", fmt::join(assumed, " "));
     fmt::print("  K          {:.9g} N/m^n  ({:.9g} N/mm^n)\n", f.K, K_mm);
@@ -235,7 +237,9 @@ void add_law_verb(CLI::App& app, Action& action) {
   auto fit_options = std::make_shared<FitOptions>();
   add_elastic_options(*fit_verb, fit_options->law);
   fit_verb->add_option("--max-load", fit_options->max_load, "Largest load [N]")->type_name("FORCE");
-  fit_verb->add_option("--samples", fit_options->samples, "Loads, uniform from 0")
+  fit_verb->add_option("--min-load", fit_options->min_load, "Smallest load [N]; default 0")
+      ->type_name("FORCE");
+  fit_verb->add_option("--samples", fit_options->samples, "Loads, uniform over the range")
       ->type_name("N")
       ->capture_default_str();
   fit_verb->add_option("--format", fit_options->format, "text, csv or json")

@@ -19,6 +19,22 @@ using Row = std::array<double, columns>;
 /// Share of a law's limit at which a run stops. The event must be found by steps that still
 /// evaluate the law, and at the limit itself a law may have an infinite stiffness.
 constexpr double usable_share_of_limit = 0.99;
+constexpr double continued_from = 0.995;  // of the limit: beyond the event, short of the pole
+
+/// A law with an end, continued along its tangent: the step that meets the limit looks beyond it
+/// before the event is located. No result comes from there.
+struct Continued {
+  ElasticLaw law;
+  double from = continued_from * law.limit();
+  ElasticResponse at_end = law.response(from);
+
+  ElasticResponse operator()(double d) const {
+    if (d <= from) return law.response(d);
+    const double x = d - from, F = at_end.force, k = at_end.stiffness;
+    return {F + k * x, k, at_end.energy + x * (F + 0.5 * k * x)};
+  }
+  std::string name() const { return law.name(); }
+};
 
 /// [m/s^2] added to an acceleration before it is trusted: loads may change within a step.
 constexpr double unforeseen_acceleration = 1.0;
@@ -69,8 +85,11 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
     throw ModelError(fmt::format("{}: {} laws are given for {} regions", owner, laws_.size(),
                                  region_names_.size()));
   penetration_scale_ = std::numeric_limits<double>::infinity();
-  for (const ContactLaw& each : laws_)
+  for (ContactLaw& each : laws_) {
     penetration_scale_ = std::min(penetration_scale_, each.elastic.penetration_at(reference_force));
+    limits_.push_back(each.penetration_limit());
+    if (std::isfinite(limits_.back())) each.elastic = Continued{each.elastic};
+  }
 }
 
 // ---- force
@@ -207,8 +226,8 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
       g[reload] = d - (memory.largest_penetration + touch_tolerance);
   }
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch_tolerance;
-  if (std::isfinite(here.penetration_limit()))
-    g[limit] = d - usable_share_of_limit * here.penetration_limit();
+  if (std::isfinite(limit_of(memory.region)))
+    g[limit] = d - usable_share_of_limit * limit_of(memory.region);
 }
 
 /// -force where it counts. At d = 0 itself `release` is the sharper function, as a force may vanish
@@ -438,11 +457,12 @@ void ContactElement::handle_kink(EventContext& context) const {
 
 void ContactElement::check_limit(EventContext& context, int region, double penetration) const {
   const ContactLaw& here = law(region);
-  if (penetration < (usable_share_of_limit - 1e-9) * here.penetration_limit()) return;
-  context.fail(
-      fmt::format("{}: penetration {:g} m has reached {:g} % of the {:g} m where the law '{}' ends",
-                  region_names_[static_cast<std::size_t>(region)], penetration,
-                  100.0 * usable_share_of_limit, here.penetration_limit(), here.name()));
+  if (penetration < (usable_share_of_limit - 1e-9) * limit_of(region)) return;
+  context.fail(fmt::format(
+      "{}: at t = {:.9g} s the penetration {:g} m has reached {:g} % of the {:g} m where "
+      "the law '{}' ends",
+      region_names_[static_cast<std::size_t>(region)], context.input.motion.t, penetration,
+      100.0 * usable_share_of_limit, limit_of(region), here.name()));
 }
 
 void ContactElement::record(EventContext& context, const char* kind, int region,

@@ -22,7 +22,8 @@
 //   kink         where the law's formula has a corner, if it says so: the method starts afresh.
 //   fullest      lifted (below), where the law's force is largest over d: nothing happens, but a
 //                force that came and went within one step is noticed there.
-//   failure      at 99 % of the largest penetration the elastic law is valid for.
+//   failure      at 99 % of the largest penetration the elastic law is valid for. The step that
+//                meets it sees the law continued along its tangent.
 // Two kinds of "apart" have a memory, told apart by memory.release_penetration:
 //   dented       let go at a permanent set > 0: met again at that penetration, on the unloading
 //                line, until d falls below zero and all is forgotten.
@@ -140,6 +141,7 @@ class ContactElement final : public ForceElement {
   };
 
   const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
+  double limit_of(int region) const { return limits_[static_cast<std::size_t>(region)]; }
   std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
   double rate(const ContactKinematics& k, const Motion& motion) const;
   ContactOutput calc_law(const ForceInput& in, const ContactMemory& memory) const;
@@ -171,7 +173,8 @@ class ContactElement final : public ForceElement {
 
   BodyId a_, b_;
   std::unique_ptr<const ContactGeometry> geometry_;
-  std::vector<ContactLaw> laws_;
+  std::vector<ContactLaw> laws_;  // continued beyond their limits
+  std::vector<double> limits_;    // [m] where they end, infinite if they do not
   std::vector<std::string> region_names_;
   double penetration_scale_ = 0.0;
 };

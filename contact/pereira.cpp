@@ -18,6 +18,14 @@ double internal_difference(const std::string& owner, const RoundPair& pair) {
   return DR;
 }
 
+/// What both laws check; the difference of the radii is checked by the laws.
+void check(const std::string& owner, const char* name, const RoundPair& pair, double length,
+           Reading reading) {
+  pair.check(name);
+  require_positive(owner, "length", length, "m");
+  if (reading == Reading::tabulated) throw_no_reading(name, reading, "consistent, printed");
+}
+
 PowerLaw law(const RoundPair& pair, double length, double DR, double a, double b, double n,
              const char* name) {
   return per_mm((a * DR + b) * length * 1e3 * pair.modulus() * 1e-6 / DR, n, name);
@@ -28,9 +36,7 @@ PowerLaw law(const RoundPair& pair, double length, double DR, double a, double b
 PowerLaw pereira_2011(const RoundPair& pair, double length, Reading reading) {
   constexpr const char* name = "pereira-2011";
   const std::string owner = fmt::format("law '{}'", name);
-  pair.check(name);
-  require_positive(owner, "length", length, "m");
-  if (reading == Reading::tabulated) throw_no_reading(name, reading, "consistent, printed");
+  check(owner, name, pair, length, reading);
   if (pair.conformity == Conformity::external)
     throw ModelError(
         fmt::format("{}: conformity = external must be internal; pereira-2015 has both", owner));
@@ -43,9 +49,7 @@ PowerLaw pereira_2011(const RoundPair& pair, double length, Reading reading) {
 PowerLaw pereira_2015(const RoundPair& pair, double length, Reading reading) {
   constexpr const char* name = "pereira-2015";
   const std::string owner = fmt::format("law '{}'", name);
-  pair.check(name);
-  require_positive(owner, "length", length, "m");
-  if (reading == Reading::tabulated) throw_no_reading(name, reading, "consistent, printed");
+  check(owner, name, pair, length, reading);
   if (pair.conformity == Conformity::external)
     return law(pair, length, pair.radius_difference() * 1e3, 0.39, 0.85, 1.094, name);
   const double DR = internal_difference(owner, pair);

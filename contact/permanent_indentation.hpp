@@ -28,7 +28,14 @@ inline ContactOutput with_permanent_indentation(const ContactInput& in, const El
             .stored_energy = returned * r.energy,
             .dissipated_power = (1.0 - returned) * r.force * in.rate};
   }
-  const ElasticResponse r = elastic.response((in.penetration - in.memory.permanent_set) / returned);
+  const double x = (in.penetration - in.memory.permanent_set) / returned;
+  if (x < -elastic.limit()) {  // far below the set, where the law has no value
+    const ElasticResponse r = elastic.response(elastic.limit());
+    return {.force = -r.force,
+            .stored_energy = returned * r.energy,
+            .dissipated_power = -r.force * in.rate};
+  }
+  const ElasticResponse r = elastic.response(x);
   return {.force = r.force,
           .dforce_dpenetration = r.stiffness / returned,
           .stored_energy = returned * r.energy};

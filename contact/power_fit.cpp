@@ -92,10 +92,11 @@ double penetration_between(const ElasticLaw& law, double load, double low, doubl
 
 }  // namespace
 
-PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples) {
+PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples, double min_load) {
   const std::string owner = fmt::format("power law fitted to '{}'", law.name());
   require_positive(owner, "max_load", max_load, "N");
   require_range(owner, "samples", samples, 3, 1e7);
+  require_range(owner, "min_load", min_load, 0.0, max_load * (1.0 - 1e-9), "N");
   const double last = law.penetration_at(max_load);
   const double reached = law.response(last).force;
   if (!(std::abs(reached / max_load - 1.0) < 1e-6))
@@ -104,13 +105,15 @@ PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples) {
         owner, max_load, reached, last));
 
   std::vector<Sample> points;
-  points.reserve(static_cast<std::size_t>(samples - 1));
-  double d = 0.0;
-  for (int i = 1; i < samples; ++i) {
-    const double load = static_cast<double>(i) / (samples - 1);
-    d = i == 1
-            ? law.penetration_at(load * max_load)
-            : penetration_between(law, load * max_load, d, last, std::min(last, d * i / (i - 1)));
+  points.reserve(static_cast<std::size_t>(samples));
+  const double first = min_load / max_load;
+  double d = 0.0, load_before = 0.0;
+  for (int i = first > 0.0 ? 0 : 1; i < samples; ++i) {  // K 0^n is right whatever K and n
+    const double load = first + (1.0 - first) * static_cast<double>(i) / (samples - 1);
+    d = points.empty() ? law.penetration_at(load * max_load)
+                       : penetration_between(law, load * max_load, d, last,
+                                             std::min(last, d * load / load_before));
+    load_before = load;
     points.push_back({std::log(d / last), load});
   }
   const Parameters p = minimise(points);
@@ -118,6 +121,7 @@ PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples) {
   PowerFit fit{.K = max_load * p.c / std::pow(last, p.n),
                .n = p.n,
                .max_load = max_load,
+               .min_load = min_load,
                .samples = samples};
   double squares = 0.0;
   for (const Sample& s : points) {

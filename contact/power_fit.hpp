@@ -3,7 +3,8 @@
 //
 // The power law K d^n nearest to a law over a range of loads, as Machines 2022, 10, 966 fits its
 // Tables 2 to 9: unweighted least squares of the force,
-//   min over K, n of  sum_i (K d(F_i)^n - F_i)^2,   F_i = i max_load/(samples - 1), i = 0, 1, ...
+//   min over K, n of  sum_i (K d(F_i)^n - F_i)^2
+//   F_i = min_load + i (max_load - min_load)/(samples - 1),  i = 0, 1, ... samples - 1
 // Its relative error is what the least squares do not see: it grows without bound (to 100 %) as the
 // load goes to zero, because no power law has the logarithm in it.
 #pragma once
@@ -19,12 +20,15 @@ struct PowerFit {
   double rms_error = 0.0;            // root of the mean square of the same
   double error_at_small_load = 0.0;  // signed K d^n/F - 1 at a thousandth of the largest load
   double max_load = 0.0;             // [N]
+  double min_load = 0.0;             // [N]
   int samples = 0;
 
   PowerLaw law() const { return {K, n, "power-law"}; }
 };
 
-/// `max_load` [N] must be one the law reaches, `samples` at least 3. Throws ModelError.
-PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples = 10001);
+/// `max_load` [N] must be one the law reaches, 0 <= `min_load` < `max_load`, `samples` at least 3.
+/// Throws ModelError.
+PowerFit fit_power_law(const ElasticLaw& law, double max_load, int samples = 10001,
+                       double min_load = 0.0);
 
 }  // namespace yoke

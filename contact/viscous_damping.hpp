@@ -19,10 +19,11 @@
 
 namespace yoke {
 
-/// F = F_e + c d' with the derivative of c by the penetration.
+/// F = F_e + c d' with the derivative of c by the penetration. At the very end of a law both
+/// derivatives may be infinite; then the stiffness is answered.
 inline ContactOutput damped_beside(const ElasticResponse& e, double c, double dc_dd, double rate) {
   return {.force = e.force + c * rate,
-          .dforce_dpenetration = e.stiffness + dc_dd * rate,
+          .dforce_dpenetration = std::isinf(e.stiffness) ? e.stiffness : e.stiffness + dc_dd * rate,
           .dforce_drate = c,
           .stored_energy = e.energy,
           .dissipated_power = c * rate * rate};

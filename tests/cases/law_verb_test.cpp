@@ -222,6 +222,14 @@ TEST_SUITE("law verb") {
     const Csv table = csv("law fit --format csv --max-load 1000" + spring);
     CHECK(table.header.starts_with("K_N_per_m_n,n,"));
     CHECK(off(table.rows.front()[0], 1e8) < 1e-9);
+    // Range and number of the loads are options; away from zero the fit is better.
+    const nlohmann::json upper = json(
+        "law fit --elastic johnson --material steel --clearance 0.5mm --min-load 100 --max-load "
+        "1000 --samples 901");
+    CHECK(upper["min_load_N"] == 100.0);
+    CHECK(upper["samples"] == 901);
+    CHECK(upper["max_relative_error"] < 0.1 * double(johnson["max_relative_error"]));
+    CHECK(upper["relative_error_at_small_load"] < -0.1);  // at 1 N, outside
     const Outcome text = yoke("law fit --max-load 1000" + spring);
     CHECK(contains(text.out, "N/m^n"));
   }
@@ -230,7 +238,7 @@ TEST_SUITE("law verb") {
     const double v = 0.37, m = 1.3, e = 0.7, K = 1e8, n = 1.5;
     const std::string impact = "impact --speed 0.37 --mass 1.3" + spring;
     for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
-      for (const std::string setup : {"bodies", "wall"}) {
+      for (const std::string setup : {"bodies", "wall", "slot", "pendulum"}) {
         const std::string how = " --formulation " + formulation + " --setup " + setup;
         const nlohmann::json flores =
             json(impact + " --dissipation flores --restitution 0.7" + how);
@@ -269,6 +277,37 @@ TEST_SUITE("law verb") {
     CHECK(json("impact --speed 0.37 --mass 1.3 --elastic power:K=1e8,n=1 --dissipation lee-wang-2 "
                "--restitution 0.5")["restitution"]["closed_form"]
               .is_null());
+  }
+
+  TEST_CASE("--plot draws the loop and leaves its data") {
+    const std::string folder = YOKE_BINARY_DIR "/results/loop_test";
+    std::filesystem::remove_all(folder);
+    const Outcome drawn =
+        yoke("impact --speed 0.37 --mass 1.3" + spring +
+             " --dissipation flores --restitution 0.7 --format json --plot -o " + folder);
+    CHECK(drawn.code == 0);
+    const nlohmann::json numbers = nlohmann::json::parse(drawn.out);
+    std::ifstream file(folder + "/loop.csv");
+    std::string line;
+    std::getline(file, line);
+    CHECK(line == "t_s,penetration_m,rate_m_per_s,force_N");
+    double deepest = 0.0, strongest = 0.0;
+    int rows = 0;
+    while (std::getline(file, line)) {
+      std::istringstream cells(line);
+      double value[4] = {};
+      char comma = 0;
+      for (double& cell : value) cells >> cell >> comma;
+      deepest = std::max(deepest, value[1]);
+      strongest = std::max(strongest, value[3]);
+      ++rows;
+    }
+    CHECK(rows > 1000);
+    CHECK(off(deepest, numbers["max_penetration_m"]) < 1e-5);
+    CHECK(off(strongest, numbers["max_force_N"]) < 1e-5);
+    CHECK(std::filesystem::exists(folder + "/loop.gp"));
+    if (!contains(drawn.err, "gnuplot is not installed"))
+      CHECK(std::filesystem::file_size(folder + "/loop.png") > 3000);
   }
 
   TEST_CASE("mistakes are explained and end with a failure") {
@@ -312,5 +351,14 @@ TEST_SUITE("law verb") {
     CHECK(contains(message("impact --mass 10 --speed 30 --elastic johnson --pin-radius 7.9mm "
                            "--wall-radius 8mm --length 10mm"),
                    "where the law 'johnson"));
+    CHECK(contains(message("law fit --max-load 10 --min-load 10" + spring), "min_load"));
+    CHECK(contains(message("law fit --max-load 1e9 --elastic johnson --clearance 0.5mm"),
+                   "beyond the range of the law"));
+    CHECK(contains(message("law eval --elastic johnson --material E=3GPa,nu=0.7" + round_pair),
+                   "nu must be greater than -1 and at most 0.5"));
+    CHECK(contains(message("law eval --elastic pereira-2011 --pin-radius 8mm --wall-radius 20mm "
+                           "--length 10mm" +
+                           at),
+                   "radius_difference = 12 mm is outside the accepted range 0.005 to 10 mm"));
   }
 }

@@ -327,7 +327,7 @@ TEST_CASE("penetration beyond a law's range stops the run with a reason") {
   scene = scene_at(places[1], 0.9901 * limit, true);
   CHECK(scene.event_functions()[ContactElement::limit] > 0.0);
   scene.handle(ContactElement::limit);
-  CHECK(scene.failure.find("outer: penetration 0.03") == 0);
+  CHECK(scene.failure.find("outer: at t = 0 s the penetration 0.03") == 0);
   CHECK(scene.failure.find("'johnson") != std::string::npos);
   scene.failure.clear();
   scene.memory = {};
