@@ -14,7 +14,7 @@ namespace yoke::cases {
 /// A fit in the units of the tables.
 struct TableFit {
   double K = 0.0, n = 0.0;  // (N/mm)/mm^n
-  double error = 0.0;       // [%] |K d^n/F - 1| at d = 1 um
+  double error = 0.0;       // [%] |K d^n/F - 1| at the first fitted load with d >= 1 um
 };
 
 /// One entry of a table: printed, made again the same way, and made with the right law.

@@ -4,7 +4,8 @@
 // Carvalho and Martins 2019: F = K d^n (1 + 3 (1 - e)(11 - e)/(2 (1 + 9 e)) d'/v_i) (Mech. Mach.
 // Theory 139, 174-194), here with any elastic law. A rational fit of the exact balance in
 // proportional_damping.hpp, with its limit 3/2 (1 - e) for e near 1. The original was not at hand:
-// the formula is as later literature quotes it, checked against the exact balance.
+// the formula is as the documentation of Exudyn quotes it (there for e > 1/3), checked against the
+// exact balance.
 //
 // Meant for all e. Delivered: within 2e-4 of e for e >= 0.5, 0.304 for 0.3, 0.129 for 0.1, 0.061
 // for 0. No tension in a free impact. Floor on v_i: proportional_damping.hpp.

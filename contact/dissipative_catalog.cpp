@@ -399,8 +399,8 @@ const std::vector<Entry>& entries() {
         .delivers = "within 2e-4 of e for e >= 0.5, 0.304 for 0.3, 0.129 for 0.1, 0.061 for 0",
         .separation = free_of_tension,
         .persistent = with_floor,
-        .caveats = {"the original was not at hand; as quoted by later literature, checked against "
-                    "the exact balance"},
+        .caveats = {"the original was not at hand; as quoted by the documentation of Exudyn, there "
+                    "for e > 1/3, checked against the exact balance"},
         .parameters = {{"restitution", "1, 0 to 1"}, {"slowest_approach", "m/s, > 0"}},
         .linear_only = false},
        proportional<CarvalhoMartins>,

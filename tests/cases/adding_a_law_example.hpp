@@ -52,7 +52,8 @@ struct Palmgren {
   }
 };
 
-// Zhiying and Qishao 2006: F = F_e (1 + X d'/v_i), X = 3/4 (1 - e^2) exp(2 (1 - e)).
+// Zhiying and Qishao 2006: F = F_e (1 + X d'/v_i), X = 3/4 (1 - e^2) exp(2 (1 - e)), as later
+// literature quotes it; the original was not at hand.
 struct ZhiyingQishao {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s] > 0, floor of v_i: a contact may begin at rest
