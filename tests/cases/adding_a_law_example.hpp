@@ -191,7 +191,7 @@ inline std::vector<Entry> entries() {
         .delivers = "0.896 for 0.9, 0.483 for 0.5",
         .separation = free_of_tension,
         .persistent = with_floor,
-        .caveats = {},
+        .caveats = {"as later literature quotes it; the original was not at hand"},
         .parameters = {{"restitution", "1, 0 to 1"}, {"slowest_approach", "m/s, > 0"}},
         .linear_only = false},
        proportional<ZhiyingQishao>,
