@@ -91,6 +91,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("every", c.every);
   visit("every_events", c.every_events);
   visit("baumgarte_rate", c.baumgarte_rate);
+  visit("spectral_radius", c.spectral_radius);
   visit("length_scale", c.scales.length);
   visit("time_scale", c.scales.time);
   visit("state", c.state);

@@ -32,6 +32,7 @@ struct Checkpoint {
   double every = 0.0;
   long every_events = 0;
   double baumgarte_rate = 0.0;
+  double spectral_radius = 0.0;
   // Where it is.
   Scales scales;
   State state;

@@ -25,6 +25,7 @@ struct Tolerances {
   double energy = 1e-8;         // [J] quadratures
   double baumgarte_rate = 0.0;  // [1/s] the user's gain of Baumgarte's stabilisation; 0: none given
   double natural_rate = 1.0;    // [1/s] grows with the time scale and slowly with the tolerance
+  double spectral_radius = 0.8;  // at infinity, formulation generalised-alpha only
 };
 
 /// The least a position can be weighted with: a few units in its last place. Weights do not depend

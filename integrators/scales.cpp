@@ -56,6 +56,7 @@ Tolerances choose_tolerances(const System& system, const SimulationOptions& opti
   // Steps of a method of order 5 go with the fifth root of the tolerance; half of that keeps the
   // gain well below what an explicit step bears.
   tolerances.natural_rate = std::pow(rtol, -0.1) / scales.time;
+  tolerances.spectral_radius = options.spectral_radius;
   return tolerances;
 }
 

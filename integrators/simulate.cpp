@@ -297,6 +297,7 @@ void Run::write_checkpoint() {
                .every = every,
                .every_events = every_events,
                .baumgarte_rate = options_.baumgarte_rate,
+               .spectral_radius = options_.spectral_radius,
                .scales = dynamics_.system().scales(),
                .state = state_,
                .dropped_rows = dynamics_.system().dropped_rows(),
@@ -609,6 +610,7 @@ Result resume(const Model& model, const std::filesystem::path& folder,
       .length_scale = c->scales.length,
       .time_scale = c->scales.time,
       .baumgarte_rate = c->baumgarte_rate,
+      .spectral_radius = c->spectral_radius,
       .checkpoints = {.folder = folder, .every = c->every, .every_events = c->every_events},
       .observer = std::move(observer)};
   check_checkpoint(model, options, *c);

@@ -42,6 +42,7 @@ struct SimulationOptions {
   double length_scale = 0.0;              // [m] error weight of positions
   double time_scale = 0.0;                // [s] of velocities: length / time
   double baumgarte_rate = 0.0;            // [1/s] gain of the formulations after Baumgarte
+  double spectral_radius = 0.8;           // 0 to 0.999, formulation generalised-alpha only
   Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.

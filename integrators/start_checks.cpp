@@ -16,6 +16,7 @@ void check_options(const SimulationOptions& options, double t_start) {
     throw ModelError(fmt::format("simulation: until = {:g} s must be later than the start, {:g} s",
                                  options.until, t_start));
   require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
+  require_range("simulation", "spectral_radius", options.spectral_radius, 0.0, 0.999);
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));

@@ -1,0 +1,531 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/generalised_alpha.hpp>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace yoke {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int max_newton_iterations = 10;
+constexpr double newton_share = 1e-3;  // of the error allowed in a step
+constexpr double slow = 0.2;           // Newton converging worse than this gets a new matrix
+constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
+constexpr double deadband = 1.1;  // a step is not made longer by less
+constexpr double first_over_delta = 100.0;
+
+enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
+
+/// The second divided difference of f over three times h apart (h, k: the later, the earlier).
+double second_difference(double before, double now, double after, double k, double h) {
+  return ((after - now) / h - (now - before) / k) / (h + k);
+}
+
+}  // namespace
+
+GeneralisedAlpha::Coefficients::Coefficients(double rho)
+    : alpha_m((2.0 * rho - 1.0) / (rho + 1.0)),
+      alpha_f(rho / (rho + 1.0)),
+      gamma(0.5 + alpha_f - alpha_m),
+      beta(0.25 * (gamma + 0.5) * (gamma + 0.5)),
+      theta(alpha_m - alpha_f),
+      C(1.0 / 6.0 - beta - 0.5 * theta) {}
+
+MatrixLayout GeneralisedAlpha::layout(const System& system) {
+  const int q = 0, z = system.dofs(), lambda = z + system.states();
+  return {.size = lambda + system.rows(),
+          .placements = {{Block::mass, q, q, mass_factor},
+                         {Block::K_lambda, q, q, plus},
+                         {Block::Q_q, q, q, minus},
+                         {Block::Q_v, q, q, minus_velocity},
+                         {Block::Q_z, q, z, minus},
+                         {Block::G_T, q, lambda, plus},
+                         {Block::z_q, z, q, minus},
+                         {Block::z_v, z, q, minus_velocity},
+                         {Block::states, z, z, state_factor},
+                         {Block::z_z, z, z, minus},
+                         {Block::G, lambda, q, plus},
+                         {Block::dropped, lambda, lambda, plus}},
+          .rows = {{Unit::force, q, 2}, {Unit::state, z, 1}, {Unit::equation, lambda}},
+          .columns = {{Unit::coordinate, q}, {Unit::state, z}, {Unit::multiplier, lambda, 2}}};
+}
+
+// A method of order 2 whose steps err by the tolerance errs by its power 2/3 in the end. So steps
+// may err by its power 3/2 only, and the error of the run is proportional to the tolerance
+// (calibration after G. Soederlind, L. Wang, J. Comput. Appl. Math. 185 (2006) 244-260). At 1e-2
+// nothing changes.
+GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& tolerances,
+                                   AlphaOptions options)
+    : dynamics_(dynamics),
+      system_(dynamics.system()),
+      tolerances_(tolerances),
+      options_(std::move(options)),
+      c_(tolerances.spectral_radius),
+      n_(system_.dofs()),
+      nz_(system_.states()),
+      rows_(system_.rows()),
+      quadratures_(system_.quadratures()),
+      allowed_(std::sqrt(std::min(1.0, tolerances.relative / 1e-2))),
+      matrix_(system_, layout(system_)),
+      mask_(system_),
+      guard_(dynamics) {
+  for (Node* node : {&begin_, &end_, &new_}) allocate(*node);
+  for (Vector* x : {&q_start_, &q_, &b_, &jerk_, &jerk_normal_, &v_old_, &a_old_, &v_, &a_, &rate_,
+                    &dense_u_, &dense_v_})
+    x->assign(at(n_), 0.0);
+  for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
+  for (Vector* x : {&lambda_, &lambda_rate_}) x->assign(at(rows_), 0.0);
+  for (Vector* x : {&second_, &second_old_, &dense_energy_}) x->assign(at(quadratures_), 0.0);
+  for (Vector* x : {&g_from_, &g_to_, &g_}) x->assign(at(guard_.count()), 0.0);
+  x_.assign(at(matrix_.size()), 0.0);
+  force_.assign(at(n_) + 1, 0.0);
+  found_.assign(at(guard_.count()), 0);
+}
+
+void GeneralisedAlpha::allocate(Node& node) const {
+  for (Vector* x : {&node.u, &node.v, &node.a}) x->assign(at(n_), 0.0);
+  for (Vector* x : {&node.z, &node.z_dot}) x->assign(at(nz_), 0.0);
+  for (Vector* x : {&node.energy, &node.power}) x->assign(at(quadratures_), 0.0);
+  node.lambda.assign(at(rows_), 0.0);
+}
+
+double* GeneralisedAlpha::absolute(const Vector& u) {
+  for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = q_start_[i] + u[i];
+  return q_.data();
+}
+
+double GeneralisedAlpha::weight_q(int i) const {
+  return std::max(allowed_ * tolerances_.q[i], rounding_of(q_start_[at(i)]));
+}
+
+bool GeneralisedAlpha::calc_rates(Node& node) {
+  return dynamics_.calc_accelerations(
+      node.t, absolute(node.u), node.v.data(), node.z.data(), node.a.data(), node.lambda.data(),
+      nz_ > 0 ? node.z_dot.data() : nullptr, quadratures_ > 0 ? node.power.data() : nullptr);
+}
+
+void GeneralisedAlpha::start(const State& state) {
+  end_.t = t_ = state.t;
+  std::copy_n(state.q.data(), n_, q_start_.begin());
+  std::ranges::fill(end_.u, 0.0);
+  std::copy_n(state.v.data(), n_, end_.v.begin());
+  std::copy_n(state.z.data(), nz_, end_.z.begin());
+  std::copy_n(state.energy.data(), quadratures_, end_.energy.begin());
+  guard_.start(t_, state.q.data(), end_.v.data(), end_.z.data());
+  if (guard_.count() > 0)
+    guard_.evaluate(t_, state.q.data(), end_.v.data(), end_.z.data(), g_from_.data());
+  started_ = pending_ = false;
+}
+
+// v'' at the start is that of a short step forwards, written as a node before the start.
+void GeneralisedAlpha::begin(double t_stop) {
+  started_ = true;
+  third_known_ = false;
+  const double span = t_stop - end_.t;
+  if (!calc_rates(end_)) return;  // the first step will tell
+  double delta = 1e-3 * span;
+  for (int i = 0; i < n_; ++i)
+    if (end_.a[at(i)] != 0.0)
+      delta = std::min(delta, std::sqrt(2.0 * tolerances_.q[i] / std::abs(end_.a[at(i)])));
+  delta = std::max(delta, 64.0 * eps * std::abs(end_.t));
+  new_.t = end_.t + delta;
+  for (std::size_t i = 0; i < end_.u.size(); ++i) {
+    new_.u[i] = delta * (end_.v[i] + 0.5 * delta * end_.a[i]);
+    new_.v[i] = end_.v[i] + delta * end_.a[i];
+  }
+  for (std::size_t i = 0; i < end_.z.size(); ++i) new_.z[i] = end_.z[i] + delta * end_.z_dot[i];
+  const bool known = calc_rates(new_);
+  begin_.t = end_.t - delta;
+  const auto reflect = [known](Vector& before, const Vector& now, const Vector& after) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+      before[i] = known ? 2.0 * now[i] - after[i] : now[i];
+  };
+  reflect(begin_.a, end_.a, new_.a);
+  reflect(begin_.z_dot, end_.z_dot, new_.z_dot);
+  reflect(begin_.power, end_.power, new_.power);
+  reflect(begin_.lambda, end_.lambda, new_.lambda);
+  k_old_ = h_last_ = delta;
+  calc_jerk(begin_, end_, nullptr);
+  for (std::size_t i = 0; i < b_.size(); ++i) b_[i] = options_.plain ? 0.0 : c_.theta * jerk_[i];
+  for (std::size_t i = 0; i < b_z_.size(); ++i)
+    b_z_[i] = options_.plain ? 0.0 : c_.theta * (end_.z_dot[i] - begin_.z_dot[i]) / delta;
+  dynamics_.project_positions(end_.t, absolute(end_.u));  // brings G back
+  calc_normal_jerk();
+  h_next_ = first_length(span, delta);
+}
+
+double GeneralisedAlpha::first_length(double span, double delta) const {
+  double h = std::min(span, first_over_delta * delta);
+  for (int i = 0; i < n_; ++i)
+    if (jerk_[at(i)] != 0.0)
+      h = std::min(h, 0.5 * std::cbrt(weight_q(i) / std::abs(c_.C * jerk_[at(i)])));
+  return h;
+}
+
+/// v'' at `after` from three nodes, or at `now` from two; and the rate of the multipliers.
+void GeneralisedAlpha::calc_jerk(const Node& before, const Node& now, const Node* after) {
+  const double k = now.t - before.t, h = after != nullptr ? after->t - now.t : 0.0;
+  for (std::size_t i = 0; i < jerk_.size(); ++i) {
+    if (after == nullptr) {
+      jerk_[i] = (now.a[i] - before.a[i]) / k;
+    } else {
+      const double second = second_difference(before.a[i], now.a[i], after->a[i], k, h);
+      jerk_[i] = (after->a[i] - now.a[i]) / h + second * h;
+    }
+  }
+  const Node& from = after != nullptr ? now : before;
+  const Node& to = after != nullptr ? *after : now;
+  for (std::size_t i = 0; i < lambda_rate_.size(); ++i)
+    lambda_rate_[i] = (to.lambda[i] - from.lambda[i]) / (to.t - from.t);
+}
+
+/// What a projection takes from v + s v'' is the part of s v'' across the constraints. G must be
+/// that of the end of the last step.
+void GeneralisedAlpha::calc_normal_jerk() {
+  std::ranges::fill(jerk_normal_, 0.0);
+  if (options_.plain || rows_ == 0) return;
+  double size = 0.0, speed = 0.0;
+  for (int i = 0; i < n_; ++i) {
+    size = std::max(size, std::abs(jerk_[at(i)]) / tolerances_.v[i]);
+    speed = std::max(speed, std::abs(end_.v[at(i)]) / tolerances_.v[i]);
+  }
+  if (size == 0.0) return;
+  const double s = std::max(speed, 1.0) / size;  // both of one size: least rounding
+  for (std::size_t i = 0; i < v_.size(); ++i) v_old_[i] = v_[i] = end_.v[i] + s * jerk_[i];
+  if (!dynamics_.project_velocities(end_.t, absolute(end_.u), v_.data())) return;
+  for (std::size_t i = 0; i < v_.size(); ++i) jerk_normal_[i] = (v_old_[i] - v_[i]) / s;
+}
+
+Step GeneralisedAlpha::step(double t_stop) {
+  if (pending_) return search(t_);  // the caller goes on after an event that changed nothing
+  if (!started_) begin(t_stop);
+  const bool controlled = options_.steps.empty();
+  const double shortest = std::max(4.0 * eps * std::abs(end_.t), 1e-18 * std::abs(t_stop));
+  const char* why = "";
+  for (bool first = true;; first = false) {
+    const double rest = t_stop - end_.t;
+    double h = controlled ? h_next_ : options_.steps[turn_ % options_.steps.size()];
+    if (controlled && !(h > shortest)) return fail(why);
+    const bool to_stop = h * (1.0 + 1e-9) >= rest;
+    if (controlled && !to_stop && 2.0 * h > rest) h = 0.5 * rest;
+    if (!advance(to_stop ? t_stop : end_.t + h)) {
+      ++counters_.rejected;
+      if (!controlled) return fail("Newton's iteration does not converge");
+      why = "Newton's iteration does not converge with any step";
+      h_next_ = 0.25 * std::min(h, rest);
+      continue;
+    }
+    const double error =
+        controlled ? std::max(calc_error(), integrate_energy()) : 0.0 * integrate_energy();
+    h = new_.t - end_.t;
+    const double factor = std::clamp(safety / std::cbrt(error), least_factor, largest_factor);
+    if (error <= 1.0) {
+      if (factor < 1.0 || (first && factor > deadband && h >= 0.99 * h_next_)) h_next_ = factor * h;
+      break;
+    }
+    ++counters_.rejected;
+    why = "no step is short enough for the tolerance";
+    h_next_ = std::isfinite(error) ? std::min(factor, 0.9) * h : least_factor * h;
+  }
+  accept();
+  return search(begin_.t);
+}
+
+/// Tries a step to t_new.
+bool GeneralisedAlpha::advance(double t_new) {
+  const double h = t_new - end_.t;
+  predict(h);
+  return solve_stage(h, t_new) && finish(t_new);
+}
+
+void GeneralisedAlpha::predict(double h) {
+  const double rescaled = options_.plain ? h_last_ : h;
+  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
+  for (std::size_t i = 0; i < v_.size(); ++i) {
+    const double v = end_.v[i] + c_.C * h * h * jerk_normal_[i];
+    const double a = end_.a[i] + rescaled * b_[i];
+    a_[i] = end_.a[i] + (1.0 + c_.theta) * h * jerk_[i];
+    new_.u[i] = end_.u[i] + h * (v + h * ((0.5 - c_.beta) * a + c_.beta * a_[i]));
+    v_[i] = v + h * ((1.0 - c_.gamma) * a + c_.gamma * a_[i]);
+    rate_[i] = am * a_[i] + (c_.alpha_m * a - c_.alpha_f * end_.a[i]) / (1.0 - c_.alpha_f);
+  }
+  for (std::size_t i = 0; i < w_.size(); ++i) {
+    const double w = end_.z_dot[i] + rescaled * b_z_[i];
+    w_[i] = end_.z_dot[i];
+    new_.z[i] = end_.z[i] + h * ((1.0 - c_.gamma) * w + c_.gamma * w_[i]);
+    z_rate_[i] = am * w_[i] + (c_.alpha_m * w - c_.alpha_f * end_.z_dot[i]) / (1.0 - c_.alpha_f);
+  }
+  for (std::size_t i = 0; i < lambda_.size(); ++i)
+    lambda_[i] = end_.lambda[i] + h * lambda_rate_[i];
+}
+
+bool GeneralisedAlpha::solve_stage(double h, double t) {
+  bool renew = true;
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
+    if (renew) {
+      calc_matrix(h, t);
+      const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
+      if (!matrix_.factorise(std::sqrt(am / c_.beta) / h)) return false;
+    }
+    if (!calc_residual(t)) return false;
+    matrix_.solve(x_.data());
+    const double norm = correct(h);
+    if (!std::isfinite(norm)) return false;
+    if (norm < 1.0) return true;
+    if (iteration > 1 && norm > 2.0 * last) return false;
+    renew = norm > slow * last;
+    last = norm;
+  }
+  return false;
+}
+
+/// -R into x_.
+bool GeneralisedAlpha::calc_residual(double t) {
+  system_.set_motion(t, absolute(new_.u), v_.data());
+  system_.set_states(new_.z.data());
+  double* r_q = x_.data();
+  double* r_z = r_q + n_;
+  double* r_p = r_z + nz_;
+  system_.calc_position_level(r_p);
+  std::ranges::fill(force_, 0.0);
+  system_.add_forces(force_.data(), nz_ > 0 ? r_z : nullptr, nullptr);
+  system_.subtract_constraint_forces(mask_.kept(lambda_.data()), force_.data());
+  double sum = 0.0;
+  for (int i = 0; i < n_; ++i) r_q[i] = force_[at(i)] - system_.mass()[at(i)] * rate_[at(i)];
+  for (int i = 0; i < nz_; ++i) r_z[i] -= z_rate_[at(i)];
+  for (int i = 0; i < rows_; ++i) r_p[i] = -r_p[i];
+  for (const int i : system_.dropped_rows()) r_p[i] = -lambda_[at(i)];
+  for (const double r : x_) sum += r;
+  if (!std::isfinite(sum)) system_.blame_not_finite();
+  return std::isfinite(sum);
+}
+
+void GeneralisedAlpha::calc_matrix(double h, double t) {
+  ++counters_.jacobians;
+  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
+  matrix_.evaluate({.t = t,
+                    .q = absolute(new_.u),
+                    .v = v_.data(),
+                    .z = new_.z.data(),
+                    .lambda = mask_.kept(lambda_.data())},
+                   std::array{1.0, -1.0, am / (c_.beta * h * h), -c_.gamma / (c_.beta * h),
+                              am / (c_.gamma * h)});
+}
+
+/// Adds the correction x_; returns its size in units of what is allowed. Accelerations take their
+/// share of it rather than being differences of positions, which would cost them their digits.
+double GeneralisedAlpha::correct(double h) {
+  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
+  const double length = system_.scales().length;
+  double norm = 0.0;
+  for (int i = 0; i < n_; ++i) {
+    const double dq = x_[at(i)], da = dq / (c_.beta * h * h);
+    new_.u[at(i)] += dq;
+    v_[at(i)] += c_.gamma * h * da;
+    a_[at(i)] += da;
+    rate_[at(i)] += am * da;
+    const double rounding = rounding_of(std::abs(q_[at(i)]) + (i % 3 == 2 ? 1.0 : length));
+    const double r = std::abs(dq) / std::max(newton_share * weight_q(i), rounding);
+    if (!(r <= norm)) norm = r;  // catches NaN
+  }
+  for (int i = 0; i < nz_; ++i) {
+    const double dz = x_[at(n_ + i)], dw = dz / (c_.gamma * h);
+    new_.z[at(i)] += dz;
+    w_[at(i)] += dw;
+    z_rate_[at(i)] += am * dw;
+    const double r = std::abs(dz) / std::max(newton_share * allowed_ * tolerances_.z[i],
+                                             rounding_of(new_.z[at(i)]));
+    if (!(r <= norm)) norm = r;
+  }
+  for (int i = 0; i < rows_; ++i) lambda_[at(i)] += x_[at(n_ + nz_ + i)];
+  return norm;
+}
+
+/// The consistent state at the end of the step being tried.
+bool GeneralisedAlpha::finish(double t) {
+  new_.t = t;
+  new_.v = v_;
+  double* q = absolute(new_.u);
+  if (!options_.plain) {
+    if (!dynamics_.project_positions(t, q)) return false;
+    for (std::size_t i = 0; i < q_.size(); ++i) new_.u[i] = q_[i] - q_start_[i];
+    if (!dynamics_.project_velocities(t, q, new_.v.data())) return false;
+  }
+  if (!calc_rates(new_)) return false;
+  if (options_.plain) new_.a = rate_;
+  return guard_.count() == 0 ||
+         guard_.evaluate(t, absolute(new_.u), new_.v.data(), new_.z.data(), g_to_.data());
+}
+
+/// Against the integrals of the parabola through three accelerations: what the step has erred by,
+/// to leading order, in units of what is allowed. Jumps of a driver are seen too.
+double GeneralisedAlpha::calc_error() const {
+  const double k = end_.t - begin_.t, h = new_.t - end_.t;
+  double worst = 0.0;
+  const auto note = [&worst](double error) {
+    if (!(error <= worst)) worst = error;  // catches NaN
+  };
+  for (int j = 0; j < n_; ++j) {
+    const std::size_t i = at(j);
+    const double a0 = end_.a[i], a1 = new_.a[i];
+    const double second = second_difference(begin_.a[i], a0, a1, k, h);
+    const double dv = h * (0.5 * (a0 + a1) - second * h * h / 6.0);
+    const double du = h * (end_.v[i] + h * (a0 / 3.0 + a1 / 6.0 - second * h * h / 12.0));
+    note(std::abs(new_.u[i] - end_.u[i] - du) / weight_q(j));
+    note(std::abs(new_.v[i] - end_.v[i] - dv) / (allowed_ * tolerances_.v[j]));
+  }
+  for (int j = 0; j < nz_; ++j) {
+    const std::size_t i = at(j);
+    const double f0 = end_.z_dot[i], f1 = new_.z_dot[i];
+    const double second = second_difference(begin_.z_dot[i], f0, f1, k, h);
+    const double dz = h * (0.5 * (f0 + f1) - second * h * h / 6.0);
+    note(std::abs(new_.z[i] - end_.z[i] - dz) / (allowed_ * tolerances_.z[j]));
+  }
+  return worst;
+}
+
+/// Energies by the integral of the polynomial through the last four powers (three in the first
+/// step), which converges faster than the motion; the term of highest order is its error.
+double GeneralisedAlpha::integrate_energy() {
+  const double k = end_.t - begin_.t, h = new_.t - end_.t;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < second_.size(); ++i) {
+    second_[i] = second_difference(begin_.power[i], end_.power[i], new_.power[i], k, h);
+    double last_term = -second_[i] * h * h * h / 6.0;
+    double sum = 0.5 * h * (end_.power[i] + new_.power[i]) + last_term;
+    if (third_known_) {
+      const double third = (second_[i] - second_old_[i]) / (h + k + k_old_);
+      last_term = -third * h * h * h * (h + 2.0 * k) / 12.0;
+      sum += last_term;
+    }
+    new_.energy[i] = end_.energy[i] + sum;
+    const double error = std::abs(last_term) / tolerances_.energy;
+    if (!(error <= worst)) worst = error;
+  }
+  return worst;
+}
+
+void GeneralisedAlpha::accept() {
+  ++counters_.steps;
+  ++turn_;
+  const double h = new_.t - end_.t;
+  for (std::size_t i = 0; i < b_.size(); ++i) b_[i] = (a_[i] - new_.a[i]) / h;
+  for (std::size_t i = 0; i < b_z_.size(); ++i) b_z_[i] = (w_[i] - new_.z_dot[i]) / h;
+  calc_jerk(begin_, end_, &new_);
+  std::swap(second_, second_old_);
+  third_known_ = true;
+  k_old_ = end_.t - begin_.t;
+  h_last_ = h;
+  std::swap(begin_, end_);
+  std::swap(end_, new_);
+  calc_normal_jerk();
+}
+
+/// Looks for events between `from` and the end of the last step.
+Step GeneralisedAlpha::search(double from) {
+  double t_root = std::numeric_limits<double>::infinity();
+  std::ranges::fill(found_, 0);
+  for (std::size_t i = 0; i < g_to_.size(); ++i) {
+    if (!(g_from_[i] < 0.0 && g_to_[i] >= 0.0)) continue;
+    const auto function = [&](double t) {
+      calc_interpolant(t);
+      guard_.evaluate(t, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_.data());
+      return g_[i];
+    };
+    double root = end_.t;
+    if (g_to_[i] > 0.0) {
+      std::uintmax_t iterations = 100;
+      root = boost::math::tools::toms748_solve(
+                 function, from, end_.t, g_from_[i], g_to_[i],
+                 boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits),
+                 iterations)
+                 .second;
+    }
+    if (root < t_root) {
+      t_root = root;
+      std::ranges::fill(found_, 0);
+    }
+    if (root == t_root) found_[i] = 1;
+  }
+  pending_ = t_root <= end_.t;
+  if (!pending_) {
+    t_ = end_.t;
+    std::swap(g_from_, g_to_);
+    guard_.accept(t_, absolute(end_.u), end_.v.data(), end_.z.data());
+    return Step::advanced;
+  }
+  t_ = t_root;
+  calc_interpolant(t_);
+  guard_.evaluate(t_, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_from_.data());
+  guard_.collect(t_, absolute(dense_u_), dense_v_.data(), dense_z_.data(), found_);
+  return Step::event;
+}
+
+/// Quintic Hermite from positions, velocities and accelerations, cubic from the others.
+void GeneralisedAlpha::calc_interpolant(double t) {
+  if (t == end_.t) {
+    dense_u_ = end_.u;
+    dense_v_ = end_.v;
+    dense_z_ = end_.z;
+    dense_energy_ = end_.energy;
+    return;
+  }
+  const double h = end_.t - begin_.t, s = (t - begin_.t) / h;
+  for (std::size_t i = 0; i < dense_u_.size(); ++i) {
+    const double v = h * begin_.v[i], a = h * h * begin_.a[i];
+    const double D = end_.u[i] - begin_.u[i] - v - 0.5 * a;
+    const double V = h * (end_.v[i] - begin_.v[i]) - a;
+    const double A = h * h * (end_.a[i] - begin_.a[i]);
+    const double c3 = 10.0 * D - 4.0 * V + 0.5 * A;
+    const double c4 = -15.0 * D + 7.0 * V - A;
+    const double c5 = 6.0 * D - 3.0 * V + 0.5 * A;
+    dense_u_[i] = begin_.u[i] + s * (v + s * (0.5 * a + s * (c3 + s * (c4 + s * c5))));
+    dense_v_[i] = (v + s * (a + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / h;
+  }
+  const auto cubic = [h, s](const Vector& x0, const Vector& x1, const Vector& f0, const Vector& f1,
+                            Vector& out) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double D = x1[i] - x0[i] - h * f0[i], F = h * (f1[i] - f0[i]);
+      out[i] = x0[i] + s * (h * f0[i] + s * (3.0 * D - F + s * (F - 2.0 * D)));
+    }
+  };
+  cubic(begin_.z, end_.z, begin_.z_dot, end_.z_dot, dense_z_);
+  cubic(begin_.energy, end_.energy, begin_.power, end_.power, dense_energy_);
+}
+
+void GeneralisedAlpha::interpolate(double t, State& state) {
+  calc_interpolant(t);
+  state.t = t;
+  std::copy_n(absolute(dense_u_), n_, state.q.data());
+  std::copy_n(dense_v_.data(), n_, state.v.data());
+  std::copy_n(dense_z_.data(), nz_, state.z.data());
+  std::copy_n(dense_energy_.data(), quadratures_, state.energy.data());
+}
+
+StepCounters GeneralisedAlpha::counters() const {
+  StepCounters total = counters_;
+  total.factors = matrix_.counters();
+  return total;
+}
+
+Step GeneralisedAlpha::fail(const char* why) {
+  failure_ = why;
+  t_ = end_.t;
+  return Step::failed;
+}
+
+std::unique_ptr<Formulation> make_generalised_alpha(Dynamics& dynamics,
+                                                    const Tolerances& tolerances) {
+  return std::make_unique<GeneralisedAlpha>(dynamics, tolerances);
+}
+
+}  // namespace yoke
