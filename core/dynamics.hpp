@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include <yoke/core/redundancy.hpp>
 #include <yoke/core/sparse.hpp>
 #include <yoke/core/system.hpp>
 
@@ -28,13 +29,6 @@ struct Outcome {
   bool ok = true;
   std::string why;
   explicit operator bool() const { return ok; }
-};
-
-/// Force a joint exerts on its reaction_body() (the last of its bodies, unless it says otherwise),
-/// at the joint, in global axes.
-struct Reaction {
-  Vec2 force{0.0, 0.0};  // [N]
-  double moment = 0.0;   // [N m] about the joint's reaction point
 };
 
 /// Gains of Baumgarte's stabilisation: G v' = gamma - 2 alpha (G v + Phi_t) - beta^2 Phi.
@@ -61,23 +55,41 @@ class Dynamics {
   /// The same for a State: fills a and lambda.
   bool calc_accelerations(State& state);
 
-  /// Moves q to the nearest position on the constraints. False: no convergence (see worst_row()).
-  bool project_positions(double t, double* q);
+  /// Moves q to the nearest position on the constraints; `to_rounding`: until nothing is gained any
+  /// more. False: no convergence (see worst_row()).
+  bool project_positions(double t, double* q, bool to_rounding = false);
   /// Moves v to the nearest velocity allowed at q, which must be projected already.
   bool project_velocities(double t, const double* q, double* v);
-  /// Both, and accelerations and multipliers.
+  /// Both, and accelerations and multipliers. At a singular position accelerations are a solution
+  /// and multipliers those of least norm, neither the limit from beside it.
   bool project(State& state);
 
-  /// Assembly at the start: like project(), but explains a failure by naming the worst equation, or
-  /// the equation that is redundant or in conflict. On success the state is consistent.
+  /// Assembly at the start: like project(), also from far away, and explains a failure by naming
+  /// the worst equation or those in conflict. Equations found redundant are left out from now on,
+  /// see redundancy(). On success the state is consistent.
   Outcome assemble(State& state);
+  const Redundancy& redundancy() const { return redundancy_; }
+  /// Leaves these rows out of the matrices; those of formulations must be built anew.
+  void leave_out(const std::vector<int>& rows);
+  /// Empty, or which equation that was left out as redundant has come to be violated by more than
+  /// `bound` [length scales or rad] at q: it was in conflict with the others after all.
+  std::string contradiction(double t, const double* q, double bound);
+
+  /// How far the constraints at (t, q) are from being dependent: an estimate, by one step of
+  /// inverse iteration from the last call, of the smallest eigenvalue of G M^-1 G^T scaled to a
+  /// diagonal of ones; falls like the square of the distance to a singular position. 0: singular.
+  double independence(double t, const double* q, int iterations = 1);
+  /// The row with the largest part in what is nearly dependent, after independence().
+  int weakest_row() const { return weakest_row_; }
 
   /// [kg] 1/(d A d^T), d [columns] in the local coordinates of a force element, with the
   /// factorisation of the last calc_accelerations.
   double effective_mass(const ForceSlot& slot, const double* direction);
 
   /// The reaction of constraint i at the motion evaluated last, for given multipliers.
-  Reaction reaction(std::size_t constraint, const double* lambda) const;
+  Reaction reaction(std::size_t constraint, const double* lambda) const {
+    return system_.reaction(constraint, lambda);
+  }
 
   /// Largest violation of the equations measured in lengths [m] and angles [rad] together,
   /// unscaled.
@@ -102,7 +114,12 @@ class Dynamics {
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
   bool same_as_factorised(double t, const double* q) const;
-  Outcome explain_singular(const State& state);
+  Outcome assemble_from_afar(State& state);
+  Outcome settle_redundancy(State& state);
+  Outcome finish_assembly(State& state);
+  Outcome check_left_out(const State& state, const RankAnalysis& analysis);
+  bool project_singular(State& state);
+  Outcome explain_positions(const class LeastChange& failed) const;
   double position_tolerance(const double* q) const;
 
   System system_;
@@ -117,6 +134,9 @@ class Dynamics {
   std::vector<double> q_factorised_;
   double t_factorised_ = 0.0;
   bool factorised_ = false;
+  Redundancy redundancy_;
+  std::vector<double> row_size_, weakest_;  // for independence()
+  int weakest_row_ = 0;
   int worst_row_ = 0;
   double worst_residual_ = 0.0;
   long evaluations_ = 0;

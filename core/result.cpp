@@ -179,6 +179,13 @@ void write_events(const std::vector<EventRecord>& events, const std::filesystem:
 
 std::string to_json(const Summary& s) {
   const char* stop[] = {"completed", "by_event", "interrupted", "failed"};
+  nlohmann::ordered_json singular = nlohmann::ordered_json::array();
+  for (const SingularPosition& p : s.singular_positions)
+    singular.push_back({{"t_s", p.t},
+                        {"equation", p.equation},
+                        {"independence", number(p.independence)},
+                        {"energy_before_J", number(p.energy_before)},
+                        {"energy_after_J", number(p.energy_after)}});
   const nlohmann::ordered_json json = {
       {"stop", stop[static_cast<int>(s.stop)]},
       {"reason", s.reason},
@@ -206,6 +213,10 @@ std::string to_json(const Summary& s) {
       {"velocity_drift_m_per_s_or_rad_per_s", number(s.velocity_drift)},
       {"energy_balance_J", number(s.energy_balance)},
       {"energy_exchanged_J", number(s.energy_exchanged)},
+      {"degrees_of_freedom", s.degrees_of_freedom},
+      {"redundant_equations", s.redundant_equations},
+      {"not_unique_reactions", s.not_unique_reactions},
+      {"singular_positions", singular},
       {"wall_time_s", s.wall_time},
   };
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

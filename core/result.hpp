@@ -54,6 +54,15 @@ class Table {
 /// Why a run ended.
 enum class Stop { completed, by_event, interrupted, failed };
 
+/// A position where constraint equations were dependent for an instant, and was crossed.
+struct SingularPosition {
+  double t = 0.0;              // [s]
+  std::string equation;        // with the largest part in the dependency: "pivot: x"
+  double independence = 0.0;   // smallest Dynamics::independence() met; 0: singular
+  double energy_before = 0.0;  // [J] left side of the ledger minus work, on entering
+  double energy_after = 0.0;   // [J] on leaving
+};
+
 /// How a run went.
 struct Summary {
   Stop stop = Stop::failed;
@@ -82,6 +91,10 @@ struct Summary {
   double energy_balance = 0.0;    // [J] worst |T + V + stored + dissipated - work - initial|
   double energy_exchanged = 0.0;  // [J] largest of energy moved between forms, for scale
   double wall_time = 0.0;         // [s]
+  int degrees_of_freedom = 0;     // 3 bodies minus the rank of the constraints
+  std::vector<std::string> redundant_equations{};   // left out, as others say the same
+  std::vector<std::string> not_unique_reactions{};  // columns that are one possibility of many
+  std::vector<SingularPosition> singular_positions{};
 
   /// Completed, or ended by an event as asked for.
   bool ok() const { return stop == Stop::completed || stop == Stop::by_event; }

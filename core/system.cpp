@@ -160,6 +160,7 @@ void System::calc_position_level(double* phi) {
 double System::norm(const double* residual, int* worst) const {
   double largest = 0.0;
   for (int i = 0; i < rows_; ++i) {
+    if (is_dropped(i)) continue;
     const double size = measure(i) == Measure::length ? scales_.length : 1.0;
     const double r = std::abs(residual[i]) / size;
     if (!(r <= largest)) {  // catches NaN
@@ -211,6 +212,20 @@ void System::subtract_constraint_forces(const double* lambda, double* force) con
       force[dof < 0 ? dofs_ : dof] -= sum;
     }
   }
+}
+
+Reaction System::reaction(std::size_t constraint, const double* lambda) const {
+  const ConstraintSlot& c = constraints_[constraint];
+  const double* G = G_.data() + c.block;
+  const std::size_t body = c.element->reaction_body();
+  double f[3] = {0.0, 0.0, 0.0};
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < c.rows; ++i)
+      f[j] -= G[i * c.columns + 3 * static_cast<int>(body) + j] * lambda[c.row + i];
+  const Vec2 force(f[0], f[1]);
+  const Vec2 centre = motion_[c.element->bodies()[body]].position();
+  const Vec2 arm = c.element->reaction_point(motion_) - centre;
+  return {.force = force, .moment = f[2] - cross(arm, force)};
 }
 
 void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {

@@ -21,6 +21,13 @@ struct Scales {
   double time = 1.0;    // [s]
 };
 
+/// Force a joint exerts on its reaction_body() (the last of its bodies, unless it says otherwise),
+/// at the joint, in global axes.
+struct Reaction {
+  Vec2 force{0.0, 0.0};  // [N]
+  double moment = 0.0;   // [N m] about the joint's reaction point
+};
+
 /// One constraint and where its blocks live.
 struct ConstraintSlot {
   const Constraint* element = nullptr;
@@ -93,7 +100,8 @@ class System {
 
   /// Phi [rows] and G (blocks).
   void calc_position_level(double* phi);
-  /// Largest |phi| in units of the length scale (lengths) or 1 rad (angles); `worst` gets its row.
+  /// Largest |phi| in units of the length scale (lengths) or 1 rad (angles) of the rows that are
+  /// not left out; `worst` gets its row.
   double norm(const double* residual, int* worst = nullptr) const;
   /// G v + Phi_t [rows] at the motion set, from the blocks of G computed last.
   void calc_velocity_residual(double* residual);
@@ -102,6 +110,9 @@ class System {
   std::size_t jacobian_size() const { return G_.size(); }  // of all blocks
   /// force[dofs + 1] -= G^T lambda, from the blocks of G; the last entry collects the ground.
   void subtract_constraint_forces(const double* lambda, double* force) const;
+
+  /// The reaction of constraint i at the motion set last, for given multipliers [rows].
+  Reaction reaction(std::size_t constraint, const double* lambda) const;
 
   /// Q [dofs + 1] (added), z_dot [states] and quadrature rates [quadratures] of the force elements;
   /// null where not wanted.

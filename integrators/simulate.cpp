@@ -14,6 +14,7 @@
 #include <yoke/integrators/choice.hpp>
 #include <yoke/integrators/formulation.hpp>
 #include <yoke/integrators/scales.hpp>
+#include <yoke/integrators/singular_crossing.hpp>
 #include <yoke/integrators/start_checks.hpp>
 
 namespace yoke {
@@ -63,6 +64,8 @@ class Run {
 
  private:
   void choose_formulation();
+  void note_constraints();
+  void make_formulation();
   void set_up();
   bool initialise();
   double next_stop() const;
@@ -74,6 +77,7 @@ class Run {
   void record_samples_up_to(double t);
   void record_at(double t);
   void record_event_state();
+  void record_singular_position(const SingularPosition& position);
   void record_last_row();
   double locate_events();
   double locate_crossing(int slot, double from, double to);
@@ -138,6 +142,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   dynamics_.system().set_scales(scales);
   summary.length_scale = scales.length;
   summary.time_scale = scales.time;
+  note_constraints();
   choose_formulation();
   set_up();
   if (options.checkpoints.folder.empty()) return;
@@ -162,6 +167,24 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
   writer_ = std::make_unique<CheckpointWriter>(options.checkpoints.folder, &c);
 }
 
+// What the assembly found out about the constraints.
+void Run::note_constraints() {
+  const System& system = dynamics_.system();
+  const Redundancy& redundancy = dynamics_.redundancy();
+  Summary& summary = result_.summary;
+  summary.degrees_of_freedom =
+      system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
+  for (const int row : redundancy.redundant)
+    summary.redundant_equations.push_back(system.equation_name(row));
+  summary.not_unique_reactions = column_names(system, redundancy.doubts);
+}
+
+void Run::make_formulation() {
+  formulation_ = guard_singular_positions(
+      entry_, dynamics_, choose_tolerances(dynamics_.system(), options_),
+      [this](const SingularPosition& position) { record_singular_position(position); });
+}
+
 void Run::choose_formulation() {
   Choice choice{options_.formulation, "asked for"};
   if (choice.name == automatic)
@@ -174,7 +197,7 @@ void Run::choose_formulation() {
 // The workspace: after this a run depends on the state and the options alone.
 void Run::set_up() {
   event_values_.assign(static_cast<std::size_t>(dynamics_.system().events()), 0.0);
-  formulation_ = entry_.make(dynamics_, choose_tolerances(dynamics_.system(), options_));
+  make_formulation();
   recorder_ = std::make_unique<Recorder>(dynamics_, result_,
                                          static_cast<std::size_t>(std::max(options_.samples, 0)));
   result_.events.reserve(1024);
@@ -314,7 +337,7 @@ void Run::write_checkpoint() {
 
 void Run::start_formulation() {
   dynamics_.reset();
-  formulation_ = entry_.make(dynamics_, choose_tolerances(dynamics_.system(), options_));
+  make_formulation();
   formulation_->start(state_);
 }
 
@@ -338,6 +361,14 @@ void Run::record_event_state() {
 // A run that ends by an event ends with a row of its own.
 void Run::record_last_row() {
   if (options_.samples > 0) recorder_->record(state_);
+}
+
+void Run::record_singular_position(const SingularPosition& position) {
+  result_.summary.singular_positions.push_back(position);
+  result_.events.push_back({.t = position.t,
+                            .element = position.equation.substr(0, position.equation.find(':')),
+                            .kind = "singular_position",
+                            .region = ""});
 }
 
 void Run::record_at(double t) {

@@ -60,8 +60,8 @@ TEST_CASE("a driver in conflict with a joint is refused by name") {
   m.add(AngleDriver{
       .name = "second motor", .body = m.find_body("a"), .angle = constant_speed(0.0, 4.0)});
   const std::string message = message_of(m, {.until = 1.0});
-  CHECK(contains(message, "redundant or in conflict"));
-  CHECK(contains(message, "motor"));
+  CHECK(contains(message, "'motor: angle' is in conflict with 'second motor: angle'"));
+  CHECK(contains(message, "0.5 rad/s"));
 }
 
 TEST_CASE("a force that returns NaN at the start is refused, later it ends the run with results") {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A consistent state from any rough pose: positions, velocities, accelerations and multipliers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <yoke/core/model.hpp>
+#include <yoke/core/state.hpp>
+
+namespace yoke {
+
+enum class Coordinate { x, y, angle };  ///< of a body: its centre of mass [m] and angle [rad]
+
+/// One coordinate of a body with a value, or its rate.
+struct CoordinateValue {
+  std::string body;
+  Coordinate coordinate = Coordinate::angle;
+  double value = 0.0;  // [m, rad] or [m/s, rad/s]
+};
+
+/// A coordinate that chooses between assemblies: the one is taken where it lies within `within` of
+/// the value. Angles are compared without whole turns.
+struct Near {
+  std::string body;
+  Coordinate coordinate = Coordinate::angle;
+  double value = 0.0;   // [m, rad]
+  double within = 0.0;  // [m, rad] > 0; 0: a quarter turn, or half the length scale
+};
+
+struct AssemblyOptions {
+  std::vector<CoordinateValue> hold{};   // exactly
+  std::vector<Near> near{};              // on this side
+  std::vector<CoordinateValue> rates{};  // velocities given; the others change least
+  /// Weight of each body in "least change" instead of its mass; by name, others keep their mass.
+  std::vector<std::pair<std::string, double>> weights{};
+  int starts = 60;  // poses tried beyond the first, if that does not lead to an assembly
+};
+
+/// The consistent state nearest to the start pose of the model, or to `rough`. Gauss and Newton's
+/// iteration with damping; where it does not converge, or ends on the wrong side, it is begun again
+/// from other angles (the same in every call). Throws ModelError naming the joint, the equation and
+/// the residual with its unit if no pose satisfies the joints and holds, if none found is on the
+/// side asked for, if the rates cannot be had, or if equations are in conflict.
+State assemble(const Model& model, const AssemblyOptions& options = {});
+State assemble(const Model& model, const State& rough, const AssemblyOptions& options);
+
+}  // namespace yoke
