@@ -11,10 +11,14 @@ namespace yoke::cases {
 
 // One function per case, defined in the file of its name.
 Case scotch_yoke_case();
+Case n_four_bar_case();
+Case parallelogram_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
       scotch_yoke_case(),
+      n_four_bar_case(),
+      parallelogram_case(),
   };
   return cases;
 }

@@ -24,6 +24,7 @@ void add_validate_verb(CLI::App& app, Action& action);
 void add_law_verb(CLI::App& app, Action& action);
 void add_impact_verb(CLI::App& app, Action& action);
 void add_reproduce_verb(CLI::App& app, Action& action);
+void add_check_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

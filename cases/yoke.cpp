@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   Action action;
   add_run_verb(app, action);
   add_resume_verb(app, action);
+  add_check_verb(app, action);
   add_study_verb(app, action);
   add_validate_verb(app, action);
   add_law_verb(app, action);

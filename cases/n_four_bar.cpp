@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/n_four_bar.hpp>
+
+#include <yoke/cases/model_job.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+Model model_of(const Parameters& p) {
+  return n_four_bar({.loops = static_cast<int>(p.number("N"))});
+}
+
+}  // namespace
+
+Case n_four_bar_case() {
+  return {.name = "n_four_bar",
+          .description = "IFToMM benchmark A02: N four-bar loops through singular positions",
+          .parameters = {{.name = "N",
+                          .quantity = Quantity::number,
+                          .default_text = "1",
+                          .low = 1.0,
+                          .high = 1000.0,
+                          .description = "four-bar loops side by side"},
+                         {.name = "duration",
+                          .quantity = Quantity::number,
+                          .default_text = "10",
+                          .low = 1e-3,
+                          .high = 1000.0,
+                          .description = "of the run, in seconds"}},
+          .laws = {},
+          .default_output = "results/n_four_bar",
+          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
+          .run =
+              [](const RunRequest& r) {
+                return run_model(model_of(r.parameters), r.parameters.number("duration"), r);
+              }};
+}
+
+}  // namespace yoke::cases
