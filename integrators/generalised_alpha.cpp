@@ -21,6 +21,7 @@ constexpr double slow = 0.2;           // Newton converging worse than this gets
 constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
 constexpr double first_over_delta = 100.0;
+constexpr double noise = 4.0;
 
 enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
 
@@ -58,10 +59,6 @@ MatrixLayout GeneralisedAlpha::layout(const System& system) {
           .columns = {{Unit::coordinate, q}, {Unit::state, z}, {Unit::multiplier, lambda, 2}}};
 }
 
-// A method of order 2 whose steps err by the tolerance errs by its power 2/3 in the end. So steps
-// may err by its power 3/2 only, and the error of the run is proportional to the tolerance
-// (calibration after G. Soederlind, L. Wang, J. Comput. Appl. Math. 185 (2006) 244-260). At 1e-2
-// nothing changes.
 GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& tolerances,
                                    AlphaOptions options)
     : dynamics_(dynamics),
@@ -73,7 +70,6 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
       nz_(system_.states()),
       rows_(system_.rows()),
       quadratures_(system_.quadratures()),
-      allowed_(std::sqrt(std::min(1.0, tolerances.relative / 1e-2))),
       matrix_(system_, layout(system_)),
       mask_(system_),
       guard_(dynamics) {
@@ -102,8 +98,23 @@ double* GeneralisedAlpha::absolute(const Vector& u) {
   return q_.data();
 }
 
-double GeneralisedAlpha::weight_q(int i) const {
-  return std::max(allowed_ * tolerances_.q[i], rounding_of(q_start_[at(i)]));
+// A method of order 2 whose steps err by the tolerance errs by its power 2/3 in the end. So a step
+// may err by its power 3/2 only, and the error of a run is proportional to the tolerance
+// (calibration after G. Soederlind, L. Wang, J. Comput. Appl. Math. 185 (2006) 244-260); at 1e-2
+// nothing changes. Positions are known to rounding, and rounding of one gets into all velocities by
+// way of the constraints: less than `noise` times that cannot be asked of a step, so that a
+// tolerance below 1e-10 gains nothing.
+void GeneralisedAlpha::choose_allowed() {
+  allowed_ = std::sqrt(std::min(1.0, tolerances_.relative / 1e-2));
+  allowed_ = std::max(allowed_, noise * rounding_of(1.0) / tolerances_.relative);
+  for (int i = 0; i < n_; ++i)
+    allowed_ = std::max(allowed_, noise * rounding_of(extent(i)) / tolerances_.q[i]);
+  least_allowed_ = allowed_;
+}
+
+/// How large a coordinate is, and not less than the model.
+double GeneralisedAlpha::extent(int i) const {
+  return std::abs(q_start_[at(i)]) + (i % 3 == 2 ? 1.0 : system_.scales().length);
 }
 
 bool GeneralisedAlpha::calc_rates(Node& node) {
@@ -119,6 +130,7 @@ void GeneralisedAlpha::start(const State& state) {
   std::copy_n(state.v.data(), n_, end_.v.begin());
   std::copy_n(state.z.data(), nz_, end_.z.begin());
   std::copy_n(state.energy.data(), quadratures_, end_.energy.begin());
+  choose_allowed();
   guard_.start(t_, state.q.data(), end_.v.data(), end_.z.data());
   if (guard_.count() > 0)
     guard_.evaluate(t_, state.q.data(), end_.v.data(), end_.z.data(), g_from_.data());
@@ -166,7 +178,7 @@ double GeneralisedAlpha::first_length(double span, double delta) const {
   double h = std::min(span, first_over_delta * delta);
   for (int i = 0; i < n_; ++i)
     if (jerk_[at(i)] != 0.0)
-      h = std::min(h, 0.5 * std::cbrt(weight_q(i) / std::abs(c_.C * jerk_[at(i)])));
+      h = std::min(h, 0.5 * std::cbrt(allowed_ * tolerances_.q[i] / std::abs(c_.C * jerk_[at(i)])));
   return h;
 }
 
@@ -207,36 +219,63 @@ void GeneralisedAlpha::calc_normal_jerk() {
 Step GeneralisedAlpha::step(double t_stop) {
   if (pending_) return search(t_);  // the caller goes on after an event that changed nothing
   if (!started_) begin(t_stop);
-  const bool controlled = options_.steps.empty();
-  const double shortest = std::max(4.0 * eps * std::abs(end_.t), 1e-18 * std::abs(t_stop));
-  const char* why = "";
-  for (bool first = true;; first = false) {
-    const double rest = t_stop - end_.t;
-    double h = controlled ? h_next_ : options_.steps[turn_ % options_.steps.size()];
-    if (controlled && !(h > shortest)) return fail(why);
-    const bool to_stop = h * (1.0 + 1e-9) >= rest;
-    if (controlled && !to_stop && 2.0 * h > rest) h = 0.5 * rest;
-    if (!advance(to_stop ? t_stop : end_.t + h)) {
-      ++counters_.rejected;
-      if (!controlled) return fail("Newton's iteration does not converge");
-      why = "Newton's iteration does not converge with any step";
-      h_next_ = 0.25 * std::min(h, rest);
-      continue;
-    }
-    const double error =
-        controlled ? std::max(calc_error(), integrate_energy()) : 0.0 * integrate_energy();
-    h = new_.t - end_.t;
-    const double factor = std::clamp(safety / std::cbrt(error), least_factor, largest_factor);
-    if (error <= 1.0) {
-      if (factor < 1.0 || (first && factor > deadband && h >= 0.99 * h_next_)) h_next_ = factor * h;
-      break;
-    }
-    ++counters_.rejected;
-    why = "no step is short enough for the tolerance";
-    h_next_ = std::isfinite(error) ? std::min(factor, 0.9) * h : least_factor * h;
+  if (options_.steps.empty()) {
+    if (!take_controlled_step(t_stop)) return Step::failed;
+  } else {
+    const double h = options_.steps[turn_++ % options_.steps.size()];
+    if (!advance(h * (1.0 + 1e-9) >= t_stop - end_.t ? t_stop : end_.t + h))
+      return fail("Newton's iteration does not converge");
+    integrate_energy();
   }
   accept();
   return search(begin_.t);
+}
+
+bool GeneralisedAlpha::take_controlled_step(double t_stop) {
+  const double shortest = std::max(4.0 * eps * std::abs(end_.t), 1e-18 * std::abs(t_stop));
+  const char* why = "";
+  double last_error = std::numeric_limits<double>::infinity(), last_h = 1.0, first_h = 0.0;
+  for (int tries = 0;; ++tries) {
+    if (!(h_next_ > shortest)) {
+      fail(why);
+      return false;
+    }
+    const double rest = t_stop - end_.t;
+    const bool to_stop = h_next_ * (1.0 + 1e-9) >= rest;
+    const double aim = !to_stop && 2.0 * h_next_ > rest ? 0.5 * rest : h_next_;
+    const double t_new = to_stop ? t_stop : end_.t + aim, h = t_new - end_.t;
+    if (tries == 0) first_h = h;
+    if (!advance(t_new)) {
+      ++counters_.rejected;
+      why = "Newton's iteration does not converge with any step";
+      h_next_ = 0.25 * h;
+      continue;
+    }
+    const double motion = calc_error(), energy = integrate_energy();
+    const double error = std::max(motion, energy);
+    // Errors that do not fall with the step as those of the method do come from rounding (near a
+    // singular position, for instance) or a kink. Then it is enough to meet the tolerance itself.
+    const bool irregular =
+        error > last_error * std::pow(h / last_h, 1.5) && motion * allowed_ <= 1.0 && energy <= 1.0;
+    const double factor = safety / std::cbrt(error);
+    if (error <= 1.0 || irregular) {
+      if (irregular) {
+        allowed_ = std::min(1.0, 4.0 * allowed_);
+        h_next_ = first_h;  // rounding weighs less in longer steps
+      } else if (factor < 1.0) {
+        h_next_ = factor * h;
+      } else if (tries == 0 && factor > deadband && aim == h_next_) {
+        h_next_ = std::min(factor, largest_factor) * h;
+      }
+      return true;
+    }
+    ++counters_.rejected;
+    why = "no step is short enough for the tolerance";
+    const bool finite = std::isfinite(error);
+    if (finite) last_error = error;
+    last_h = h;
+    h_next_ = h * std::clamp(finite ? factor : 0.0, least_factor, 0.9);
+  }
 }
 
 /// Tries a step to t_new.
@@ -281,6 +320,8 @@ bool GeneralisedAlpha::solve_stage(double h, double t) {
     const double norm = correct(h);
     if (!std::isfinite(norm)) return false;
     if (norm < 1.0) return true;
+    if (iteration > 1 && norm > 0.5 * last && norm * allowed_ < 1.0)
+      return true;  // as well as positions are known there; the error test has the last word
     if (iteration > 1 && norm > 2.0 * last) return false;
     renew = norm > slow * last;
     last = norm;
@@ -325,7 +366,6 @@ void GeneralisedAlpha::calc_matrix(double h, double t) {
 /// share of it rather than being differences of positions, which would cost them their digits.
 double GeneralisedAlpha::correct(double h) {
   const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
-  const double length = system_.scales().length;
   double norm = 0.0;
   for (int i = 0; i < n_; ++i) {
     const double dq = x_[at(i)], da = dq / (c_.beta * h * h);
@@ -333,8 +373,8 @@ double GeneralisedAlpha::correct(double h) {
     v_[at(i)] += c_.gamma * h * da;
     a_[at(i)] += da;
     rate_[at(i)] += am * da;
-    const double rounding = rounding_of(std::abs(q_[at(i)]) + (i % 3 == 2 ? 1.0 : length));
-    const double r = std::abs(dq) / std::max(newton_share * weight_q(i), rounding);
+    const double r =
+        std::abs(dq) / std::max(newton_share * allowed_ * tolerances_.q[i], rounding_of(extent(i)));
     if (!(r <= norm)) norm = r;  // catches NaN
   }
   for (int i = 0; i < nz_; ++i) {
@@ -343,7 +383,7 @@ double GeneralisedAlpha::correct(double h) {
     w_[at(i)] += dw;
     z_rate_[at(i)] += am * dw;
     const double r = std::abs(dz) / std::max(newton_share * allowed_ * tolerances_.z[i],
-                                             rounding_of(new_.z[at(i)]));
+                                             rounding_of(tolerances_.z[i] / tolerances_.relative));
     if (!(r <= norm)) norm = r;
   }
   for (int i = 0; i < rows_; ++i) lambda_[at(i)] += x_[at(n_ + nz_ + i)];
@@ -380,8 +420,9 @@ double GeneralisedAlpha::calc_error() const {
     const double second = second_difference(begin_.a[i], a0, a1, k, h);
     const double dv = h * (0.5 * (a0 + a1) - second * h * h / 6.0);
     const double du = h * (end_.v[i] + h * (a0 / 3.0 + a1 / 6.0 - second * h * h / 12.0));
-    note(std::abs(new_.u[i] - end_.u[i] - du) / weight_q(j));
-    note(std::abs(new_.v[i] - end_.v[i] - dv) / (allowed_ * tolerances_.v[j]));
+    note(std::abs(new_.u[i] - end_.u[i] - du) / (allowed_ * tolerances_.q[j]));
+    note(std::abs(new_.v[i] - end_.v[i] - dv) /
+         std::max(allowed_ * tolerances_.v[j], noise * rounding_of(new_.v[i])));
   }
   for (int j = 0; j < nz_; ++j) {
     const std::size_t i = at(j);
@@ -416,13 +457,13 @@ double GeneralisedAlpha::integrate_energy() {
 
 void GeneralisedAlpha::accept() {
   ++counters_.steps;
-  ++turn_;
   const double h = new_.t - end_.t;
   for (std::size_t i = 0; i < b_.size(); ++i) b_[i] = (a_[i] - new_.a[i]) / h;
   for (std::size_t i = 0; i < b_z_.size(); ++i) b_z_[i] = (w_[i] - new_.z_dot[i]) / h;
   calc_jerk(begin_, end_, &new_);
   std::swap(second_, second_old_);
   third_known_ = true;
+  allowed_ = std::max(least_allowed_, 0.98 * allowed_);
   k_old_ = end_.t - begin_.t;
   h_last_ = h;
   std::swap(begin_, end_);

@@ -89,6 +89,7 @@ class GeneralisedAlpha final : public Formulation {
   void calc_jerk(const Node& before, const Node& now, const Node* after);
   void calc_normal_jerk();
   double first_length(double span, double delta) const;
+  bool take_controlled_step(double t_stop);
   bool advance(double t_new);
   void predict(double h);
   bool solve_stage(double h, double t);
@@ -101,7 +102,8 @@ class GeneralisedAlpha final : public Formulation {
   void accept();
   Step search(double from);
   void calc_interpolant(double t);
-  double weight_q(int i) const;
+  void choose_allowed();
+  double extent(int i) const;
   Step fail(const char* why);
 
   Dynamics& dynamics_;
@@ -110,7 +112,7 @@ class GeneralisedAlpha final : public Formulation {
   AlphaOptions options_;
   Coefficients c_;
   int n_, nz_, rows_, quadratures_;
-  double allowed_;  // of the error weights, in one step
+  double allowed_ = 1.0, least_allowed_ = 1.0;  // of the error weights, in one step
   IterationMatrix matrix_;
   MultiplierMask mask_;
   EventGuard guard_;
