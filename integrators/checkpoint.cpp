@@ -38,6 +38,7 @@ void visit_memory(C& c, Visit&& visit) {
   visit("largest_penetration", c.largest_penetration);
   visit("permanent_set", c.permanent_set);
   visit("release_penetration", c.release_penetration);
+  visit("past_kink", c.past_kink);
 }
 
 template <class S, class Visit>
@@ -79,6 +80,19 @@ void visit_summary(S& s, Visit&& visit) {
   visit("energy_balance", s.energy_balance);
   visit("energy_exchanged", s.energy_exchanged);
   visit("wall_time", s.wall_time);
+  visit("degrees_of_freedom", s.degrees_of_freedom);
+  visit("redundant_equations", s.redundant_equations);
+  visit("not_unique_reactions", s.not_unique_reactions);
+  visit("singular_positions", s.singular_positions);
+}
+
+template <class S, class Visit>
+void visit_singular_position(S& s, Visit&& visit) {
+  visit("t", s.t);
+  visit("equation", s.equation);
+  visit("independence", s.independence);
+  visit("energy_before", s.energy_before);
+  visit("energy_after", s.energy_after);
 }
 
 template <class C, class Visit>
@@ -135,6 +149,12 @@ struct Write {
     }
     return list;
   }
+  static Json to_json(const std::vector<SingularPosition>& positions) {
+    Json list = Json::array();
+    for (const SingularPosition& p : positions)
+      visit_singular_position(p, Write{list.emplace_back(Json::object())});
+    return list;
+  }
   static Json to_json(const State& state) {
     Json object = Json::object();
     visit_state(state, Write{object});
@@ -170,6 +190,10 @@ struct Read {
       contacts[i].phase = static_cast<ContactPhase>(in[i].at("phase").get<int>());
       visit_memory(contacts[i], Read{in[i]});
     }
+  }
+  static void from_json(const Json& in, std::vector<SingularPosition>& positions) {
+    positions.resize(in.size());
+    for (std::size_t i = 0; i < in.size(); ++i) visit_singular_position(positions[i], Read{in[i]});
   }
   static void from_json(const Json& in, State& state) { visit_state(state, Read{in}); }
   static void from_json(const Json& in, Summary& summary) { visit_summary(summary, Read{in}); }

@@ -160,6 +160,7 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
       fingerprint_(c.model) {
   dynamics_.system().set_scales(c.scales);
   dynamics_.system().bind(state_);
+  dynamics_.leave_out(c.dropped_rows);
   set_up();
   result_.summary = before_ = c.summary;
   wall_time_before_ = c.summary.wall_time;

@@ -72,6 +72,11 @@ Model equal_slider_crank(double angle, double omega) {
   return m;
 }
 
+/// What may be asked of a formulation: Runge-Kutta, BDF, or a method of order 2.
+double bar(const FormulationNote& f, double runge_kutta, double bdf, double second_order) {
+  return f.order <= 2 ? second_order : f.family == "BDF" ? bdf : runge_kutta;
+}
+
 double n_four_bar_error(const Result& run, int loops) {
   const Eigen::VectorXd t = run["t_s"], angle = run["link 0.angle_rad"];
   double worst = 0.0;
@@ -99,7 +104,7 @@ TEST_CASE("three parallel cranks move as two, though the choice of equations cha
     CHECK(three.summary.degrees_of_freedom == 1);
     const double difference =
         (two["crank 1.angle_rad"] - three["crank 1.angle_rad"]).cwiseAbs().maxCoeff();
-    CHECK(difference < (formulation.name == "ida-ggl" ? 1e-7 : 1e-10));
+    CHECK(difference < bar(formulation, 1e-10, 1e-7, 1e-5));
     const auto& doubtful = three.summary.not_unique_reactions;
     CHECK(std::ranges::find(doubtful, "crank 1 foot.fx_N") != doubtful.end());
   }
@@ -127,7 +132,7 @@ TEST_CASE("the N-four-bar passes its singular positions on the smooth branch") {
   for (const FormulationNote& formulation : formulations()) {
     for (const int loops : {1, 2}) {
       INFO(formulation.name, " ", loops);
-      const bool implicit = formulation.name == "ida-ggl";
+      const bool implicit = formulation.family != "Runge-Kutta";
       const Result run = simulate(cases::n_four_bar({.loops = loops}),
                                   {.until = 3.0,
                                    .relative_tolerance = implicit ? 1e-12 : 1e-10,
@@ -135,7 +140,7 @@ TEST_CASE("the N-four-bar passes its singular positions on the smooth branch") {
                                    .samples = 301});
       INFO(run.summary.reason);
       REQUIRE(run.summary.ok());
-      CHECK(n_four_bar_error(run, loops) < 1e-7);
+      CHECK(n_four_bar_error(run, loops) < bar(formulation, 1e-7, 1e-7, 1e-4));
       CHECK(run["bar 1.angle_rad"].cwiseAbs().maxCoeff() < 1e-9);
       CHECK(run.summary.energy_balance < 1e-8 * run.summary.energy_exchanged);
       REQUIRE(run.summary.singular_positions.size() == 3);
@@ -176,7 +181,7 @@ TEST_CASE("a slider-crank with equal crank and rod goes on as a slider-crank thr
       const Model m = equal_slider_crank(start, 2.0);
       const Result run =
           simulate(m, {.until = 1.0,
-                       .relative_tolerance = formulation.name == "ida-ggl" ? 1e-12 : 1e-10,
+                       .relative_tolerance = formulation.family == "BDF" ? 1e-12 : 1e-10,
                        .formulation = std::string(formulation.name),
                        .samples = 101});
       INFO(run.summary.reason);
