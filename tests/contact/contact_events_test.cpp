@@ -452,3 +452,58 @@ TEST_CASE("the number of laws must be the number of regions") {
                                    {ContactLaw{linear}}, 100.0),
                     "contact 'wall': 1 laws are given for 2 regions");
 }
+
+TEST_CASE("the corner of a law's formula is passed at an event, either way, and remembered") {
+  const LeeWang2 law{.e = 0.5, .q = 3.0, .epsilon = 0.2, .tensile = TensilePhase::clamp};
+  Scene scene = wall_scene({linear, law}, {linear, law});
+  const double v = 0.2, eps = 0.2 * v / std::sqrt(linear.K / mass);
+  put(scene, 0.0, v);
+  scene.initialise();
+  REQUIRE(scene.memory.phase == ContactPhase::compressing);
+  CHECK_FALSE(scene.memory.past_kink);
+  for (const bool past : {false, true}) {
+    put(scene, 0.999 * eps, v);
+    CHECK((scene.event_functions()[Event::kink] < 0.0) == !past);
+    put(scene, 1.001 * eps, v);
+    CHECK((scene.event_functions()[Event::kink] < 0.0) == past);
+    scene.handle(Event::kink);
+    CHECK(scene.memory.past_kink == !past);
+  }
+  // A law without one has no such event.
+  Scene plain = wall_scene({linear, HuntCrossley{0.1}}, {linear, HuntCrossley{0.1}});
+  put(plain, 0.0, v);
+  plain.initialise();
+  put(plain, eps, v);
+  CHECK(plain.event_functions()[Event::kink] == -1.0);
+}
+
+TEST_CASE("lifted, the largest force over the penetration is watched: it may press in between") {
+  const LeeWang2 law{.e = 0.1, .q = 3.0, .epsilon = 0.1, .tensile = TensilePhase::clamp};
+  Scene scene = wall_scene({linear, law}, {linear, law});
+  const double v = 0.2, eps = 0.1 * v / std::sqrt(linear.K / mass);
+  put(scene, 0.0, v);
+  scene.initialise();
+  put(scene, 2.0 * eps, -0.15);
+  scene.handle(Event::kink);
+  scene.handle(Event::pull_off);
+  REQUIRE(scene.memory.phase == ContactPhase::apart);
+  REQUIRE(scene.records.back().kind == "release");
+  // On the way out the force that is not there pulls, would press, and pulls again before d = 0;
+  // between the last two the watch has fired.
+  const auto at = [&](double d) {
+    put(scene, d, -0.15);
+    return scene.event_functions();
+  };
+  CHECK(at(0.99 * eps)[Event::onset] < 0.0);
+  CHECK(at(0.99 * eps)[Event::fullest] < 0.0);
+  double pressing = 0.0, fired = 0.0;
+  for (double d = 0.99 * eps; d > 0.0; d -= 1e-3 * eps) {
+    const std::vector<double> g = at(d);
+    if (pressing == 0.0 && g[Event::onset] > 0.0) pressing = d;
+    if (fired == 0.0 && g[Event::fullest] > 0.0) fired = d;
+  }
+  CHECK(pressing > fired);
+  CHECK(fired > 0.0);
+  CHECK(at(fired)[Event::onset] > 0.0);
+  CHECK(at(1e-6 * eps)[Event::onset] < 0.0);
+}
