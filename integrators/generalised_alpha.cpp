@@ -22,6 +22,10 @@ constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
 constexpr double first_over_delta = 100.0;
 constexpr double noise = 4.0;
+constexpr int max_polish_iterations = 20;
+constexpr double largest_turn = 0.25;  // [rad] of a body in a step, where there are events
+constexpr double parts_per_radian = 16.0;
+constexpr double polished = 1e-9;  // of the step
 
 enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
 
@@ -80,7 +84,7 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
   for (Vector* x : {&lambda_, &lambda_rate_}) x->assign(at(rows_), 0.0);
   for (Vector* x : {&second_, &second_old_, &dense_energy_}) x->assign(at(quadratures_), 0.0);
-  for (Vector* x : {&g_from_, &g_to_, &g_}) x->assign(at(guard_.count()), 0.0);
+  for (Vector* x : {&g_from_, &g_to_, &g_low_, &g_high_, &g_}) x->assign(at(guard_.count()), 0.0);
   x_.assign(at(matrix_.size()), 0.0);
   force_.assign(at(n_) + 1, 0.0);
   found_.assign(at(guard_.count()), 0);
@@ -134,7 +138,7 @@ void GeneralisedAlpha::start(const State& state) {
   guard_.start(t_, state.q.data(), end_.v.data(), end_.z.data());
   if (guard_.count() > 0)
     guard_.evaluate(t_, state.q.data(), end_.v.data(), end_.z.data(), g_from_.data());
-  started_ = pending_ = false;
+  started_ = false;
 }
 
 // v'' at the start is that of a short step forwards, written as a node before the start.
@@ -217,7 +221,6 @@ void GeneralisedAlpha::calc_normal_jerk() {
 }
 
 Step GeneralisedAlpha::step(double t_stop) {
-  if (pending_) return search(t_);  // the caller goes on after an event that changed nothing
   if (!started_) begin(t_stop);
   if (options_.steps.empty()) {
     if (!take_controlled_step(t_stop)) return Step::failed;
@@ -225,10 +228,8 @@ Step GeneralisedAlpha::step(double t_stop) {
     const double h = options_.steps[turn_++ % options_.steps.size()];
     if (!advance(h * (1.0 + 1e-9) >= t_stop - end_.t ? t_stop : end_.t + h))
       return fail("Newton's iteration does not converge");
-    integrate_energy();
   }
-  accept();
-  return search(begin_.t);
+  return finish_at_event() ? Step::event : Step::advanced;
 }
 
 bool GeneralisedAlpha::take_controlled_step(double t_stop) {
@@ -241,6 +242,7 @@ bool GeneralisedAlpha::take_controlled_step(double t_stop) {
       return false;
     }
     const double rest = t_stop - end_.t;
+    if (guard_.count() > 0) h_next_ = std::min(h_next_, largest_turn / fastest_turn());
     const bool to_stop = h_next_ * (1.0 + 1e-9) >= rest;
     const double aim = !to_stop && 2.0 * h_next_ > rest ? 0.5 * rest : h_next_;
     const double t_new = to_stop ? t_stop : end_.t + aim, h = t_new - end_.t;
@@ -458,9 +460,13 @@ double GeneralisedAlpha::integrate_energy() {
 void GeneralisedAlpha::accept() {
   ++counters_.steps;
   const double h = new_.t - end_.t;
-  for (std::size_t i = 0; i < b_.size(); ++i) b_[i] = (a_[i] - new_.a[i]) / h;
-  for (std::size_t i = 0; i < b_z_.size(); ++i) b_z_[i] = (w_[i] - new_.z_dot[i]) / h;
   calc_jerk(begin_, end_, &new_);
+  // A step cut short by an event says nothing about b but rounding: as at the start then.
+  const bool fresh = !options_.plain && h < 1e-2 * h_last_;
+  for (std::size_t i = 0; i < b_.size(); ++i)
+    b_[i] = fresh ? c_.theta * jerk_[i] : (a_[i] - new_.a[i]) / h;
+  for (std::size_t i = 0; i < b_z_.size(); ++i)
+    b_z_[i] = fresh ? c_.theta * (new_.z_dot[i] - end_.z_dot[i]) / h : (w_[i] - new_.z_dot[i]) / h;
   std::swap(second_, second_old_);
   third_known_ = true;
   allowed_ = std::max(least_allowed_, 0.98 * allowed_);
@@ -471,22 +477,39 @@ void GeneralisedAlpha::accept() {
   calc_normal_jerk();
 }
 
-/// Looks for events between `from` and the end of the last step.
-Step GeneralisedAlpha::search(double from) {
+/// The first root on the dense output of the step being tried, or infinity; marks in found_ who has
+/// it. A long step is looked at in parts: what comes back within it is not seen at its end.
+double GeneralisedAlpha::find_root() {
+  if (g_to_.empty()) return std::numeric_limits<double>::infinity();
+  const double h = new_.t - end_.t;
+  const int parts = 1 + static_cast<int>(parts_per_radian * h * fastest_turn());
+  double from = end_.t;
+  g_low_ = g_from_;
+  for (int part = 1; part <= parts; ++part) {
+    const double to = part == parts ? new_.t : end_.t + h * part / parts;
+    if (part == parts) {
+      g_high_ = g_to_;
+    } else {
+      calc_event(0, to);
+      g_high_ = g_;
+    }
+    const double root = find_root_between(from, to);
+    if (root <= to) return root;
+    from = to;
+    std::swap(g_low_, g_high_);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double GeneralisedAlpha::find_root_between(double from, double to) {
   double t_root = std::numeric_limits<double>::infinity();
-  std::ranges::fill(found_, 0);
-  for (std::size_t i = 0; i < g_to_.size(); ++i) {
-    if (!(g_from_[i] < 0.0 && g_to_[i] >= 0.0)) continue;
-    const auto function = [&](double t) {
-      calc_interpolant(t);
-      guard_.evaluate(t, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_.data());
-      return g_[i];
-    };
-    double root = end_.t;
-    if (g_to_[i] > 0.0) {
+  for (std::size_t i = 0; i < g_low_.size(); ++i) {
+    if (!(g_low_[i] < 0.0 && g_high_[i] >= 0.0)) continue;
+    double root = to;
+    if (g_high_[i] > 0.0) {
       std::uintmax_t iterations = 100;
       root = boost::math::tools::toms748_solve(
-                 function, from, end_.t, g_from_[i], g_to_[i],
+                 [&](double t) { return calc_event(i, t); }, from, to, g_low_[i], g_high_[i],
                  boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits),
                  iterations)
                  .second;
@@ -497,39 +520,92 @@ Step GeneralisedAlpha::search(double from) {
     }
     if (root == t_root) found_[i] = 1;
   }
-  pending_ = t_root <= end_.t;
-  if (!pending_) {
-    t_ = end_.t;
-    std::swap(g_from_, g_to_);
+  return t_root;
+}
+
+/// [rad/s] of all bodies.
+double GeneralisedAlpha::fastest_turn() const {
+  double fastest = 0.0;
+  for (std::size_t i = 2; i < end_.v.size(); i += 3)
+    fastest = std::max(fastest, std::abs(end_.v[i]));
+  return fastest;
+}
+
+double GeneralisedAlpha::calc_event(std::size_t slot, double t) {
+  calc_interpolant(end_, new_, t);
+  guard_.evaluate(t, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_.data());
+  return g_[slot];
+}
+
+/// Accepts the step being tried, or if an event function crosses zero in it a shorter one that ends
+/// there: dense output would err by h^2 in v, most of all in a contact.
+bool GeneralisedAlpha::finish_at_event() {
+  const double t_root = find_root();
+  const bool event = t_root <= new_.t;
+  if (event) step_to_root(t_root);
+  integrate_energy();
+  accept();
+  t_ = end_.t;
+  std::swap(g_from_, g_to_);
+  if (!event) {
     guard_.accept(t_, absolute(end_.u), end_.v.data(), end_.z.data());
-    return Step::advanced;
+    return false;
   }
-  t_ = t_root;
-  calc_interpolant(t_);
-  guard_.evaluate(t_, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_from_.data());
-  guard_.collect(t_, absolute(dense_u_), dense_v_.data(), dense_z_.data(), found_);
-  return Step::event;
+  guard_.collect(t_, absolute(end_.u), end_.v.data(), end_.z.data(), found_);
+  for (const int slot : guard_.fired()) {
+    double& g = g_from_[at(slot)];
+    g = std::max(g, 0.0);  // not again if the caller goes on
+  }
+  return true;
+}
+
+/// Steps of the method to where its own solution has the root, by secants that begin at the root of
+/// the dense output. Ends where the function is not negative: elements expect it to have crossed
+/// zero.
+void GeneralisedAlpha::step_to_root(double t_root) {
+  const auto slot = static_cast<std::size_t>(std::ranges::find(found_, 1) - found_.begin());
+  const double close = std::max(polished * (new_.t - end_.t), 4.0 * eps * std::abs(new_.t));
+  double low = end_.t + close;  // the root is between low and high
+  double high = std::min(new_.t, t_root + 0.05 * (new_.t - end_.t));
+  double t = std::max(t_root, low);
+  if (t >= high) return;
+  const double aside = t - 1e3 * close;
+  double slope = (calc_event(slot, t) - calc_event(slot, aside)) / (t - aside);
+  double t_last = t, g_last = 0.0;
+  for (int i = 0; i < max_polish_iterations && high - low > close; ++i) {
+    if (!advance(t)) break;
+    const double g = g_to_[slot];
+    (g < 0.0 ? low : high) = t;
+    if (i > 0 && t != t_last) slope = (g - g_last) / (t - t_last);
+    t_last = t;
+    g_last = g;
+    double next = t - g / slope;
+    if (g >= 0.0 && !(t - next > close)) return;
+    if (g < 0.0 && next - t < close) next = t + close;
+    t = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  advance(high);
 }
 
 /// Quintic Hermite from positions, velocities and accelerations, cubic from the others.
-void GeneralisedAlpha::calc_interpolant(double t) {
-  if (t == end_.t) {
-    dense_u_ = end_.u;
-    dense_v_ = end_.v;
-    dense_z_ = end_.z;
-    dense_energy_ = end_.energy;
+void GeneralisedAlpha::calc_interpolant(const Node& from, const Node& to, double t) {
+  if (t == to.t) {
+    dense_u_ = to.u;
+    dense_v_ = to.v;
+    dense_z_ = to.z;
+    dense_energy_ = to.energy;
     return;
   }
-  const double h = end_.t - begin_.t, s = (t - begin_.t) / h;
+  const double h = to.t - from.t, s = (t - from.t) / h;
   for (std::size_t i = 0; i < dense_u_.size(); ++i) {
-    const double v = h * begin_.v[i], a = h * h * begin_.a[i];
-    const double D = end_.u[i] - begin_.u[i] - v - 0.5 * a;
-    const double V = h * (end_.v[i] - begin_.v[i]) - a;
-    const double A = h * h * (end_.a[i] - begin_.a[i]);
+    const double v = h * from.v[i], a = h * h * from.a[i];
+    const double D = to.u[i] - from.u[i] - v - 0.5 * a;
+    const double V = h * (to.v[i] - from.v[i]) - a;
+    const double A = h * h * (to.a[i] - from.a[i]);
     const double c3 = 10.0 * D - 4.0 * V + 0.5 * A;
     const double c4 = -15.0 * D + 7.0 * V - A;
     const double c5 = 6.0 * D - 3.0 * V + 0.5 * A;
-    dense_u_[i] = begin_.u[i] + s * (v + s * (0.5 * a + s * (c3 + s * (c4 + s * c5))));
+    dense_u_[i] = from.u[i] + s * (v + s * (0.5 * a + s * (c3 + s * (c4 + s * c5))));
     dense_v_[i] = (v + s * (a + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / h;
   }
   const auto cubic = [h, s](const Vector& x0, const Vector& x1, const Vector& f0, const Vector& f1,
@@ -539,12 +615,12 @@ void GeneralisedAlpha::calc_interpolant(double t) {
       out[i] = x0[i] + s * (h * f0[i] + s * (3.0 * D - F + s * (F - 2.0 * D)));
     }
   };
-  cubic(begin_.z, end_.z, begin_.z_dot, end_.z_dot, dense_z_);
-  cubic(begin_.energy, end_.energy, begin_.power, end_.power, dense_energy_);
+  cubic(from.z, to.z, from.z_dot, to.z_dot, dense_z_);
+  cubic(from.energy, to.energy, from.power, to.power, dense_energy_);
 }
 
 void GeneralisedAlpha::interpolate(double t, State& state) {
-  calc_interpolant(t);
+  calc_interpolant(begin_, end_, t);
   state.t = t;
   std::copy_n(absolute(dense_u_), n_, state.q.data());
   std::copy_n(dense_v_.data(), n_, state.v.data());

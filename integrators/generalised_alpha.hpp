@@ -100,8 +100,13 @@ class GeneralisedAlpha final : public Formulation {
   double calc_error() const;
   double integrate_energy();
   void accept();
-  Step search(double from);
-  void calc_interpolant(double t);
+  double find_root();
+  double find_root_between(double from, double to);
+  double fastest_turn() const;
+  double calc_event(std::size_t slot, double t);
+  bool finish_at_event();
+  void step_to_root(double t_root);
+  void calc_interpolant(const Node& from, const Node& to, double t);
   void choose_allowed();
   double extent(int i) const;
   Step fail(const char* why);
@@ -129,10 +134,10 @@ class GeneralisedAlpha final : public Formulation {
   double k_old_ = 0.0;                         // [s] length of the step before the last
   bool third_known_ = false;                   // so third differences can be formed
   Vector dense_u_, dense_v_, dense_z_, dense_energy_;
-  Vector g_from_, g_to_, g_;
+  Vector g_from_, g_to_, g_low_, g_high_, g_;
   std::vector<int> found_;
   double t_ = 0.0, h_last_ = 0.0, h_next_ = 0.0;
-  bool started_ = false, pending_ = false;
+  bool started_ = false;
   std::size_t turn_ = 0;  // in AlphaOptions::steps
   StepCounters counters_;
   std::string failure_;
