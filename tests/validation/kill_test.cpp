@@ -53,8 +53,8 @@ int wait_for(pid_t child) {
 }
 
 std::vector<std::string> run_arguments(const fs::path& folder) {
-  return {"run",           "scotch_yoke",  "--law",   law,      "--set",
-          "revolutions=1", "--samples",    "401",     "--rtol", "1e-10",
+  return {"run",           "scotch_yoke",  "--law",  law,      "--set",
+          "revolutions=1", "--samples",    "401",    "--rtol", "1e-10",
           "--no-plots",    "--checkpoint", "0.004s", "-o",     folder.string()};
 }
 

@@ -1,3 +1,6 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright 2026 the Yoke authors
+#
 # Sketches of the arrangements in Figures 1, 4, 8 and 9 of Machines 2022, 10, 966, drawn by us.
 # Run in this folder: gnuplot sketches.gp
 set encoding utf8
