@@ -70,7 +70,8 @@ TEST_CASE("the counter counts") {
 }
 
 TEST_CASE("stepping, events, restarts and recording allocate nothing") {
-  for (const std::string formulation : {"arkode-projection", "ida-ggl", "arkode-baumgarte"}) {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "arkode-baumgarte", "generalised-alpha"}) {
     INFO(formulation);
     Model model = scotch_yoke();
     model.add(RelaxingSpring{.name = "relaxing", .body = model.find_body("slider")});
@@ -85,7 +86,7 @@ TEST_CASE("stepping, events, restarts and recording allocate nothing") {
 }
 
 TEST_CASE("a pendulum that turns through all poses allocates only for fresh factors") {
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
     INFO(formulation);
     const Count c = count(double_pendulum(), {.until = 5.0, .formulation = formulation});
     CHECK(c.steps > 400);

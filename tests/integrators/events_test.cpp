@@ -63,7 +63,7 @@ TEST_CASE("a falling ball meets the floor when it must") {
   // Up with v, down to the floor from h: t = (v + sqrt(v^2 + 2 g h))/g.
   const double h = 0.37, v = 0.6, g = 9.81;
   const double speed = std::sqrt(v * v + 2.0 * g * h), t = (v + speed) / g;
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const Result run =
         simulate(ball_over_floor(h, v, {hertzian}, g),
@@ -142,7 +142,7 @@ TEST_CASE("a conservative impact gives the speed back") {
 }
 
 TEST_CASE("contacts of one body that begin at the same instant all begin") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Model m;
     const BodyId table =
@@ -166,7 +166,7 @@ TEST_CASE("contacts of one body that begin at the same instant all begin") {
 }
 
 TEST_CASE("contacts of two bodies that begin at the same instant both begin") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Model m;
     const Body ball{.name = "light", .mass = 0.3, .inertia = 1e-3, .pose = {{0.0, 0.137}, 0.0}};
@@ -191,7 +191,7 @@ TEST_CASE("contacts of two bodies that begin at the same instant both begin") {
 
 TEST_CASE("a touch at the top of a throw is seen however shallow it is, and not looped on") {
   // A ball rises to `depth` beyond the wall above it: upside down, with g away from the wall.
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     for (const double rtol : {1e-6, 1e-9, 1e-12}) {
       for (const double depth : {1e-3, 1e-5, 1e-7, 1e-9, 1e-14, 0.0, -1e-14, -1e-9}) {
         INFO(formulation, " rtol = ", rtol, " depth = ", depth);
@@ -213,7 +213,7 @@ TEST_CASE("a touch at the top of a throw is seen however shallow it is, and not 
 
 TEST_CASE("a ball dropped on the floor comes to rest on it") {
   const double g = 9.81;
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     for (const double rtol : {1e-6, 1e-10}) {
       INFO(formulation, " rtol = ", rtol);
       const Result run =
@@ -242,7 +242,7 @@ TEST_CASE("a ball dropped on the floor comes to rest on it") {
 }
 
 TEST_CASE("a ball hardly damped goes on bouncing without an end and without a pile of events") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const Result run =
         simulate(ball_over_floor(1e-3, 0.0, {hertzian}, 9.81),
@@ -258,7 +258,7 @@ TEST_CASE("a ball hardly damped goes on bouncing without an end and without a pi
 }
 
 TEST_CASE("a run may start touching") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     for (const double v : {0.0, -1e-9, 1e-9, -0.1, 0.1}) {
       INFO(formulation, " v = ", v);
       const Result run =
@@ -278,7 +278,7 @@ TEST_CASE("a run may start touching") {
 
 TEST_CASE("a run may start at rest in contact and then nothing happens") {
   const double rest = std::pow(mass * 9.81 / hertzian.K, 1.0 / hertzian.n);
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const Result run =
         simulate(ball_over_floor(-rest, 0.0, {hertzian, HuntCrossley{0.3}}, 9.81),
@@ -331,7 +331,7 @@ TEST_CASE("a pin pressed round the end of a slot passes from wall to cap and its
 
 TEST_CASE("a sample on the instant of an event and an event on the end of the run are both kept") {
   // The ball lands after 1/8 s exactly: 2 y = g t^2 with g = 16, y = 1/8.
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     for (const double until : {0.125, 0.25}) {
       const Result run = simulate(

@@ -79,7 +79,7 @@ TEST_CASE("a force that returns NaN at the start is refused, later it ends the r
   CHECK_THROWS_WITH_AS(
       pushed(-1.0), "applied force 'broken': force at t = 0 = (nan, 0) must have finite components",
       ModelError);
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
     INFO(formulation);
     const Result run = simulate(pushed(0.5), {.until = 1.0, .formulation = formulation});
     CHECK(run.summary.stop == Stop::failed);

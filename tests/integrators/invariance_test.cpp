@@ -31,7 +31,7 @@ double worst_difference(const Result& a, const Result& b, const std::string& col
 
 TEST_CASE("same inputs give the same bits, run twice and on several threads") {
   const Model model = scotch_yoke();
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
     INFO(formulation);
     const SimulationOptions options{
         .until = yoke_period, .relative_tolerance = 1e-7, .formulation = formulation};

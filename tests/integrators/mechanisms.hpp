@@ -23,6 +23,9 @@ namespace yoke::tests {
 using namespace yoke::literals;
 
 inline const std::string both_formulations[] = {"arkode-projection", "ida-ggl"};
+/// With the one of order 2, where nothing is asked that only order 5 can give.
+inline const std::string every_formulation[] = {"arkode-projection", "ida-ggl",
+                                                "generalised-alpha"};
 
 /// Two uniform rods of 1 m and 1 kg in a row, horizontal, at rest, g = 9.81; at `origin`, the whole
 /// thing having been turned `turns` times before the start.

@@ -40,7 +40,7 @@ std::pair<double, double> exact(double t, double k, double c, double m, double v
 }  // namespace
 
 TEST_CASE("an element's own state is integrated, reported and closes the energy ledger") {
-  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
     INFO(formulation);
     const Result run = simulate(
         sprung_mass(),

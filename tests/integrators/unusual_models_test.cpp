@@ -98,7 +98,7 @@ Model with_roller() {
 }  // namespace
 
 TEST_CASE("a model without bodies runs to its end or is refused, but does not crash") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const std::string message = refusal(Model(), {.until = 1.0, .formulation = formulation});
     CHECK((message == "no error" || contains(message, "bod")));
@@ -118,7 +118,7 @@ TEST_CASE("a state that does not belong to the model is refused") {
 }
 
 TEST_CASE("a body without joints flies, one without forces rests") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Model m;
     m.add(Body{.name = "free", .mass = 2.0, .inertia = 0.3, .twist = {{1.5, 2.5}, 3.5}});
@@ -178,7 +178,7 @@ TEST_CASE("of a body welded twice the second weld is redundant") {
 }
 
 TEST_CASE("a gear train turns as one wheel with the reduced inertia") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Model m;
     const double ratios[] = {-0.5, -1.5, 2.5};
@@ -249,7 +249,7 @@ TEST_CASE("masses from a milligram to a thousand tonnes move alike, also side by
 }
 
 TEST_CASE("a stiff spring holds a mass at its static deflection") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     for (const double k : {1e4, 1e8}) {
       INFO(formulation, " ", k);
       Model m;
@@ -272,7 +272,7 @@ TEST_CASE("a stiff spring holds a mass at its static deflection") {
 }
 
 TEST_CASE("a roller as a body of its own moves the slider as a fixed pin does") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const SimulationOptions options{
         .until = 0.02, .relative_tolerance = 1e-11, .formulation = formulation};
@@ -289,7 +289,7 @@ TEST_CASE("a roller as a body of its own moves the slider as a fixed pin does") 
 
 TEST_CASE("any length of a run, and no, two or odd numbers of samples") {
   const Model model = double_pendulum();
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     for (const double until : {1e-15, 1e-9, 1e-3, 3.0}) {
       INFO(formulation, " ", until);
       const Result none =
@@ -326,7 +326,7 @@ TEST_CASE("a driver that stops being a number ends the run by name, with results
     m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = std::move(angle)});
     return m;
   };
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const Result run = simulate(driven(TimeFunction([](double t) {
                                   const double x = t < 0.5 ? 0.0 : not_a_number;
@@ -349,7 +349,7 @@ TEST_CASE("a driver whose value jumps ends the run; the mechanism is not put som
   m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = [](double t) {
                       return TimeValue{.value = t < 0.5 ? 0.0 : 0.3};
                     }});
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const Result run = simulate(m, {.until = 1.0, .formulation = formulation});
     CHECK(run.summary.stop == Stop::failed);
@@ -363,7 +363,7 @@ TEST_CASE("a user's function that throws during a run ends it with what was comp
                         if (t > 0.5) throw std::runtime_error("no data beyond 0.5 s");
                         return 0.1;
                       }});
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Result run;
     CHECK_NOTHROW(run = simulate(m, {.until = 1.0, .formulation = formulation}));
