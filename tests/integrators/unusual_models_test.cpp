@@ -139,7 +139,7 @@ TEST_CASE("a body without joints flies, one without forces rests") {
 }
 
 TEST_CASE("a closed loop runs; of a link too many in it an equation is left out and named") {
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     Model m = parallelogram();
     m.add(AppliedTorque{
@@ -221,7 +221,7 @@ TEST_CASE("masses from a milligram to a thousand tonnes move alike, also side by
     m.add(Gravity{});
     return m;
   };
-  for (const std::string& formulation : both_formulations) {
+  for (const std::string& formulation : every_formulation) {
     INFO(formulation);
     const SimulationOptions options{
         .until = 1.0, .relative_tolerance = 1e-10, .formulation = formulation, .samples = 101};
