@@ -476,6 +476,7 @@ double Dynamics::position_violation(const State& state) {
   system_.calc_position_level(phi_.data());
   double worst = 0.0;
   for (const double r : phi_) worst = std::max(worst, std::abs(r));
+  worst_residual_ = system_.norm(phi_.data(), &worst_row_);
   factorised_ = false;  // G changed under the factors
   return worst;
 }

@@ -97,6 +97,7 @@ class Dynamics {
   double velocity_violation(const State& state);
 
   int worst_row() const { return worst_row_; }
+  /// Of the last projection [m or rad], or of position_violation() [length scales or rad].
   double worst_residual() const { return worst_residual_; }
   const FactorCounters& counters() const { return lu_->counters(); }
   long evaluations() const { return evaluations_; }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <yoke/contact/arc_slot.hpp>
 #include <yoke/contact/hunt_crossley.hpp>
@@ -22,10 +23,15 @@ namespace yoke::tests {
 
 using namespace yoke::literals;
 
-inline const std::string both_formulations[] = {"arkode-projection", "ida-ggl"};
+/// Those of high order.
+inline const std::string both_formulations[] = {"arkode-projection", "ida-ggl", "cvode-projection",
+                                                "ida-baumgarte"};
 /// With the one of order 2, where nothing is asked that only order 5 can give.
-inline const std::string every_formulation[] = {"arkode-projection", "ida-ggl",
-                                                "generalised-alpha"};
+inline const std::vector<std::string> every_formulation = [] {
+  std::vector<std::string> names;
+  for (const FormulationNote& f : formulations()) names.emplace_back(f.name);
+  return names;
+}();
 
 /// Two uniform rods of 1 m and 1 kg in a row, horizontal, at rest, g = 9.81; at `origin`, the whole
 /// thing having been turned `turns` times before the start.
