@@ -37,6 +37,8 @@ class AccelerationMatrix {
   void solve(double* b) { matrix_.solve(b); }
   const FactorCounters& counters() const { return matrix_.counters(); }
   const SparseMatrix& matrix() const { return matrix_.matrix(); }
+  /// As KLU saw it last.
+  const SparseMatrix& scaled() const { return matrix_.scaled(); }
 
  private:
   MatrixLayout layout() const;

@@ -66,6 +66,8 @@ class GeneralisedAlpha final : public Formulation {
   StepCounters counters() const override;
   std::string failure() const override { return failure_; }
 
+  /// Newton's matrix.
+  const IterationMatrix& matrix() const { return matrix_; }
   /// The method's own multipliers at the end of the last step; results report those of the
   /// acceleration level instead.
   const std::vector<double>& own_multipliers() const { return lambda_; }

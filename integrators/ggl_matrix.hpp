@@ -46,6 +46,8 @@ class GglMatrix final : public DaeEquations {
   void reset() { matrix_.reset(); }
   /// The unscaled matrix, for checks.
   const SparseMatrix& matrix() const { return matrix_.matrix(); }
+  /// As KLU saw it last.
+  const SparseMatrix& scaled() const { return matrix_.scaled(); }
 
  private:
   MatrixLayout layout() const;

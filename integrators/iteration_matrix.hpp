@@ -118,6 +118,8 @@ class IterationMatrix {
   const FactorCounters& counters() const { return lu_->counters(); }
   /// The unscaled matrix, for checks.
   const SparseMatrix& matrix() const { return matrix_; }
+  /// As KLU saw it last.
+  const SparseMatrix& scaled() const { return scaled_; }
   double reciprocal_condition() const { return lu_->reciprocal_condition(); }
 
  private:
