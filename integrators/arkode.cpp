@@ -14,6 +14,7 @@
 #include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/formulation.hpp>
+#include <yoke/integrators/sundials_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,7 @@ class Arkode final : public Formulation {
 
  private:
   static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
+  static int weights(N_Vector y, N_Vector weights, void* self);
   static int project(sunrealtype t, N_Vector y, void* self);
   bool project(double t, double* y);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
@@ -79,7 +81,7 @@ class Arkode final : public Formulation {
   SUNContext context_ = nullptr;
   void* memory_ = nullptr;
   N_Vector y_ = nullptr;
-  N_Vector weights_ = nullptr;
+  N_Vector weights_ = nullptr;  // 1 / tolerance
   std::vector<double> q_start_, q_;
   ARKodeButcherTable table_ = nullptr;
   std::vector<double> begin_, end_, stage_;  // y where the last step began and ended
@@ -107,8 +109,8 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
       tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : tolerances.natural_rate;
   stabilisation_ = {.alpha = rate, .beta = rate};
   SUNContext_Create(nullptr, &context_);
-  y_ = N_VNew_Serial(size_, context_);
-  weights_ = N_VNew_Serial(size_, context_);
+  y_ = new_vector(size_, context_);
+  weights_ = new_vector(size_, context_);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   failure_.text.reserve(512);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
@@ -140,7 +142,7 @@ void Arkode::set_weights() {
   std::copy_n(tolerances_.v.data(), n_, w + n_);
   std::copy_n(tolerances_.z.data(), nz_, w + 2 * n_);
   std::fill_n(w + 2 * n_ + nz_, quadratures_, tolerances_.energy);
-  ERKStepSVtolerances(memory_, 0.0, weights_);
+  for (int i = 0; i < size_; ++i) w[i] = 1.0 / w[i];
 }
 
 void Arkode::pack(const State& state) {
@@ -156,6 +158,7 @@ void Arkode::create(const State& state) {
   ERKStepSetErrHandlerFn(memory_, &Arkode::on_error, this);
   ERKStepSetUserData(memory_, this);
   ERKStepSetTableNum(memory_, method);
+  ERKStepWFtolerances(memory_, &Arkode::weights);
   ERKStepSetMaxErrTestFails(memory_, max_error_test_failures);
   if (projects_) ERKStepSetPostprocessStepFn(memory_, &Arkode::project);
   if (guard_.count() > 0) {
@@ -311,6 +314,12 @@ bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
                                       projects_ ? nullptr : &stabilisation_);
 }
 
+// They do not depend on y, so SUNDIALS need not compute them anew in every step.
+int Arkode::weights(N_Vector, N_Vector weights, void* self) {
+  N_VScale(1.0, static_cast<Arkode*>(self)->weights_, weights);
+  return 0;
+}
+
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
   auto& me = *static_cast<Arkode*>(self);
   return me.failure_.guard([&] { return me.project(t, NV_DATA_S(y_vector)) ? 0 : -1; });
@@ -322,7 +331,7 @@ bool Arkode::project(double t, double* y) {
     double moved = 0.0;  // in units of the error weights
     for (std::size_t i = 0; i < q_.size(); ++i) {
       const double projected = q[i] - q_start_[i];
-      moved = std::max(moved, std::abs(projected - y[i]) / NV_DATA_S(weights_)[i]);
+      moved = std::max(moved, std::abs(projected - y[i]) * NV_DATA_S(weights_)[i]);
       y[i] = projected;
     }
     if (moved < largest_projection) return true;

@@ -25,6 +25,7 @@
 #include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/formulation.hpp>
+#include <yoke/integrators/sundials_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,7 @@ class Cvode final : public Formulation {
   static int linear_system(sunrealtype t, N_Vector y, N_Vector fy, SUNMatrix matrix,
                            sunbooleantype jok, sunbooleantype* jcur, sunrealtype gamma, void* self,
                            N_Vector, N_Vector, N_Vector);
+  static int weights(N_Vector y, N_Vector weights, void* self);
   static int setup(SUNLinearSolver solver, SUNMatrix matrix);
   static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
                    sunrealtype tolerance);
@@ -85,7 +87,7 @@ class Cvode final : public Formulation {
   void* memory_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
-  N_Vector y_ = nullptr, weights_ = nullptr;
+  N_Vector y_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
   std::vector<double> q_start_, q_, v_, a_, lambda_, x_;
   std::vector<double> G_;  // blocks at the point of the matrix
   double c_ = 1.0;
@@ -106,7 +108,7 @@ Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances)
       quadratures_(dynamics.system().quadratures()),
       size_(2 * n_ + nz_ + quadratures_) {
   SUNContext_Create(nullptr, &context_);
-  y_ = N_VNew_Serial(size_, context_);
+  y_ = new_vector(size_, context_);
   weights_ = N_VClone(y_);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
@@ -153,7 +155,7 @@ void Cvode::set_weights() {
   std::copy_n(tolerances_.v.data(), n_, w + n_);
   std::copy_n(tolerances_.z.data(), nz_, w + 2 * n_);
   std::fill_n(w + 2 * n_ + nz_, quadratures_, tolerances_.energy);
-  CVodeSVtolerances(memory_, 0.0, weights_);
+  for (int i = 0; i < size_; ++i) w[i] = 1.0 / w[i];
 }
 
 void Cvode::pack(const State& state) {
@@ -170,6 +172,7 @@ void Cvode::create(const State& state) {
   CVodeInit(memory_, &Cvode::rates, state.t, y_);
   CVodeSetUserData(memory_, this);
   set_weights();
+  CVodeWFtolerances(memory_, &Cvode::weights);
   CVodeSetLinearSolver(memory_, solver_, matrix_);
   CVodeSetLinSysFn(memory_, &Cvode::linear_system);
   CVodeSetProjFn(memory_, &Cvode::project);
@@ -278,6 +281,12 @@ bool Cvode::calc_linear_system(double t, const double* y, double gamma) {
   equations_.evaluate(t, c_, q, v_of(y), z_of(y), lambda_.data(), a_.data());
   std::copy_n(dynamics_.system().G(), G_.size(), G_.begin());
   return true;
+}
+
+// They do not depend on y, so SUNDIALS need not compute them anew in every step.
+int Cvode::weights(N_Vector, N_Vector weights, void* self) {
+  N_VScale(1.0, static_cast<Cvode*>(self)->weights_, weights);
+  return 0;
 }
 
 int Cvode::setup(SUNLinearSolver solver, SUNMatrix) {

@@ -15,6 +15,7 @@
 #include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/ida.hpp>
+#include <yoke/integrators/sundials_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,7 @@ class Ida final : public Formulation {
                       SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector);
   bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
   static int events(sunrealtype t, N_Vector y, N_Vector y_dot, sunrealtype* g, void* self);
+  static int weights(N_Vector y, N_Vector weights, void* self);
   static int setup(SUNLinearSolver solver, SUNMatrix matrix);
   static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
                    sunrealtype tolerance);
@@ -71,7 +73,7 @@ class Ida final : public Formulation {
   void* memory_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
-  N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr, id_ = nullptr;
+  N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
   std::vector<double> q_start_, absolute_;
@@ -94,10 +96,9 @@ Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEq
       quadratures_(dynamics.system().quadratures()),
       size_(equations_.size() + quadratures_) {
   SUNContext_Create(nullptr, &context_);
-  y_ = N_VNew_Serial(size_, context_);
+  y_ = new_vector(size_, context_);
   y_dot_ = N_VClone(y_);
   weights_ = N_VClone(y_);
-  id_ = N_VClone(y_);
   power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
@@ -112,7 +113,7 @@ Ida::~Ida() {
   if (memory_ != nullptr) IDAFree(&memory_);
   SUNLinSolFreeEmpty(solver_);
   SUNMatFreeEmpty(matrix_);
-  for (N_Vector vector : {y_, y_dot_, weights_, id_}) N_VDestroy(vector);
+  for (N_Vector vector : {y_, y_dot_, weights_}) N_VDestroy(vector);
   SUNContext_Free(&context_);
 }
 
@@ -148,9 +149,7 @@ void Ida::set_weights() {
   for (int i = 0; i < nz_; ++i) w[equations_.z() + i] = share * tolerances_.z[i];
   for (int i = equations_.lambda(); i < equations_.size(); ++i) w[i] = unweighted;
   for (int i = equations_.size(); i < size_; ++i) w[i] = share * tolerances_.energy;
-  for (int i = 0; i < size_; ++i)
-    NV_DATA_S(id_)[i] = i < equations_.lambda() || i >= equations_.size() ? 1.0 : 0.0;
-  IDASVtolerances(memory_, 0.0, weights_);
+  for (int i = 0; i < size_; ++i) w[i] = 1.0 / w[i];
 }
 
 void Ida::pack(const State& state) {
@@ -175,8 +174,7 @@ void Ida::create(const State& state) {
   IDAInit(memory_, &Ida::residual, state.t, y_, y_dot_);
   IDASetUserData(memory_, this);
   set_weights();
-  IDASetId(memory_, id_);
-  IDASetSuppressAlg(memory_, SUNTRUE);
+  IDAWFtolerances(memory_, &Ida::weights);
   IDASetLinearSolver(memory_, solver_, matrix_);
   IDASetJacFn(memory_, &Ida::jacobian);
   IDASetMaxErrTestFails(memory_, 30);
@@ -283,6 +281,12 @@ int Ida::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Ve
     me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot));
     return 0;
   });
+}
+
+// They do not depend on y, so SUNDIALS need not compute them anew in every step.
+int Ida::weights(N_Vector, N_Vector weights, void* self) {
+  N_VScale(1.0, static_cast<Ida*>(self)->weights_, weights);
+  return 0;
 }
 
 int Ida::setup(SUNLinearSolver solver, SUNMatrix) {

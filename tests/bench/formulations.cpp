@@ -54,14 +54,11 @@ std::unique_ptr<ForceElement> EvaluationCounter::build(const Model&) const {
   return std::make_unique<CountingForce>();
 }
 
-// The same scales for every length, so that tolerances mean the same for a link of any chain.
 SimulationOptions options_of(std::string formulation) {
   return {.until = 10.0,
           .relative_tolerance = 1e-6,
           .formulation = std::move(formulation),
-          .samples = 0,
-          .length_scale = 1.0,
-          .time_scale = 0.1};
+          .samples = 0};
 }
 
 /// A chain ready to be stepped, with what it took to get there.

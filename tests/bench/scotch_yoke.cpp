@@ -15,11 +15,11 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include <yoke/tests/bench/chain.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@
 namespace {
 
 using namespace yoke;
-using Clock = std::chrono::steady_clock;
+using namespace yoke::bench;
 constexpr double revolutions = 2.0;
 
 // ---- the mechanism by hand
@@ -120,7 +120,7 @@ double by_hand_arkode(double rtol, long& steps) {
     ERKStepReInit(memory, f, t, y);
     now = 0;
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const double seconds = seconds_since(begin);
   steps = before + now;
   ERKStepFree(&memory);
   N_VDestroy(y);
@@ -201,7 +201,7 @@ double by_hand_ida(double rtol, long& steps) {
     IDAReInit(memory, t, y, dy);
     now = 0;
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const double seconds = seconds_since(begin);
   steps = before + now;
   IDAFree(&memory);
   SUNLinSolFree(solver);
@@ -213,11 +213,6 @@ double by_hand_ida(double rtol, long& steps) {
 
 // ---- side by side
 // --------------------------------------------------------------------------------
-
-double median(std::vector<double> x) {
-  std::ranges::nth_element(x, x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2));
-  return x[x.size() / 2];
-}
 
 void scotch_yoke(benchmark::State& bench, const std::string& formulation,
                  double (*by_hand)(double, long&)) {
@@ -231,13 +226,14 @@ void scotch_yoke(benchmark::State& bench, const std::string& formulation,
   long steps = 0, hand_steps = 0;
   double seconds = 0.0;
   for (auto _ : bench) {
+    const auto begin = Clock::now();
     const Result run = simulate(model, options);
+    seconds = seconds_since(begin);
     if (!run.summary.ok()) {
       bench.SkipWithError(run.summary.reason.c_str());
       return;
     }
     steps = run.summary.steps;
-    seconds = run.summary.wall_time;
     const double hand_seconds = by_hand(rtol, hand_steps);
     bench.SetIterationTime(seconds);
     per_revolution.push_back(seconds / hand_seconds);
