@@ -16,11 +16,28 @@ int PatternBuilder::add(int row, int column) {
   return static_cast<int>(requests_.size()) - 1;
 }
 
+namespace {
+
+/// `order` sorted by key(i), a number from 0 to `largest`; equal ones stay as they are. In linear
+/// time.
+template <class Key>
+std::vector<int> sorted(const std::vector<int>& order, int largest, Key&& key) {
+  std::vector<int> next(static_cast<std::size_t>(largest) + 2, 0), result(order.size());
+  for (const int i : order) ++next[static_cast<std::size_t>(key(i)) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const int i : order)
+    result[static_cast<std::size_t>(next[static_cast<std::size_t>(key(i))]++)] = i;
+  return result;
+}
+
+}  // namespace
+
 SparseMatrix PatternBuilder::compile(std::vector<int>& slot_of_request) const {
+  const auto request = [&](int i) { return requests_[static_cast<std::size_t>(i)]; };
   std::vector<int> order(requests_.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto request = [&](int i) { return requests_[static_cast<std::size_t>(i)]; };
-  std::ranges::sort(order, {}, request);
+  order = sorted(order, size_, [&](int i) { return request(i).second; });
+  order = sorted(order, size_, [&](int i) { return request(i).first; });
 
   SparseMatrix matrix;
   matrix.size = size_;

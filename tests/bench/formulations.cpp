@@ -33,7 +33,9 @@ using namespace yoke;
 using namespace yoke::bench;
 
 constexpr int warm_up = 24;  // steps while the order of a multistep method rises
-constexpr int blocks = 6, steps_in_block = 4;
+constexpr int blocks = 8, steps_in_block = 8;
+constexpr double klu_share = 0.25;       // of the time of a block of steps
+constexpr double shortest_block = 1e-4;  // [s] of KLU: reading the clock is not free
 constexpr double allowance = 0.03;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -119,9 +121,9 @@ SparseMatrix matrix_of(std::string_view name, Dynamics& dynamics, const Toleranc
 }
 
 struct Cost {
-  double step = 0.0, klu = 0.0;             // [s]
-  double evaluations = 0.0, factors = 0.0;  // in a step
-  double set_up = 0.0;                      // [s]
+  double step = 0.0, klu = 0.0;                             // [s]
+  double evaluations = 0.0, factors = 0.0, rejected = 0.0;  // in a step
+  double set_up = 0.0;                                      // [s]
 };
 
 long factors_of(const Dynamics& dynamics, const Formulation& formulation) {
@@ -134,6 +136,7 @@ Cost measure(std::string_view name, Chain& chain, int repeats) {
   Dynamics& dynamics = *chain.dynamics;
   const Tolerances tolerances = choose_tolerances(dynamics.system(), options);
   std::unique_ptr<BareKlu> klu;
+  double klu_seconds = 0.0;
   Cost cost{.set_up = infinity};
   std::array<double, blocks> steps{}, klus{};
   steps.fill(infinity);
@@ -156,25 +159,29 @@ Cost measure(std::string_view name, Chain& chain, int repeats) {
       klu = std::make_unique<BareKlu>(
           matrix_of(name, dynamics, tolerances, state, formulation->last_step()));
       dynamics.system().bind(chain.state);
+      begin = Clock::now();
+      klu->refactor_and_solve();
+      klu_seconds = seconds_since(begin);
     }
     evaluations = 0;
     const long factors = factors_of(dynamics, *formulation);
+    const long rejected = formulation->counters().rejected;
     for (std::size_t block = 0; block < blocks; ++block) {
       begin = Clock::now();
       for (int i = 0; i < steps_in_block; ++i) step();
       const double seconds = seconds_since(begin);
       steps[block] = std::min(steps[block], seconds / steps_in_block);
-      int count = 0;
+      const double span = std::max(klu_share * seconds, shortest_block);
+      const int count = std::max(2, static_cast<int>(span / klu_seconds));
       begin = Clock::now();
-      do {
-        klu->refactor_and_solve();
-        ++count;
-      } while (count < steps_in_block || seconds_since(begin) < 0.5 * seconds);
-      klus[block] = std::min(klus[block], seconds_since(begin) / count);
+      for (int i = 0; i < count; ++i) klu->refactor_and_solve();
+      klu_seconds = seconds_since(begin) / count;
+      klus[block] = std::min(klus[block], klu_seconds);
     }
     constexpr double all = blocks * steps_in_block;
     cost.evaluations = static_cast<double>(evaluations) / all;
     cost.factors = static_cast<double>(factors_of(dynamics, *formulation) - factors) / all;
+    cost.rejected = static_cast<double>(formulation->counters().rejected - rejected) / all;
   }
   for (std::size_t block = 0; block < blocks; ++block) {
     cost.step += steps[block] / blocks;
@@ -220,15 +227,16 @@ void print_formulations(const std::vector<int>& links) {
   }
   fmt::print("Cost of a step of a chain, rtol 1e-6, {} steps after {}\n\n", blocks * steps_in_block,
              warm_up);
-  fmt::print("{:18} {:>7} {:>13} {:>12} {:>9} {:>12} {:>10} {:>13}\n", "formulation", "links",
-             "step ns/link", "KLU ns/link", "step/KLU", "evaluations", "factors", "set-up ns/link");
+  fmt::print("{:18} {:>7} {:>13} {:>12} {:>9} {:>9} {:>12} {:>8} {:>15}\n", "formulation", "links",
+             "step ns/link", "KLU ns/link", "step/KLU", "rejected", "evaluations", "factors",
+             "set-up ns/link");
   for (std::size_t f = 0; f < costs.size(); ++f) {
     for (std::size_t i = 0; i < links.size(); ++i) {
       const Cost& c = costs[f][i];
       const double ns = 1e9 / links[i];
-      fmt::print("{:18} {:>7} {:>13.0f} {:>12.0f} {:>9.2f} {:>12.2f} {:>10.2f} {:>13.0f}\n",
+      fmt::print("{:18} {:>7} {:>13.0f} {:>12.0f} {:>9.2f} {:>9.2f} {:>12.2f} {:>8.2f} {:>15.0f}\n",
                  formulation_registry()[f].name, links[i], ns * c.step, ns * c.klu, c.step / c.klu,
-                 c.evaluations, c.factors, ns * c.set_up);
+                 c.rejected, c.evaluations, c.factors, ns * c.set_up);
     }
   }
   fmt::print(
