@@ -24,6 +24,7 @@ namespace yoke {
 
 namespace {
 
+constexpr int steps_per_matrix = 10;
 constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Newton's convergence
 
 class Ida final : public Formulation {
@@ -57,6 +58,7 @@ class Ida final : public Formulation {
   void create(const State& state);
   void set_weights();
   void pack(const State& state);
+  void refresh_matrix();
 
   /// y with positions for displacements, in scratch.
   const double* absolute(const double* y);
@@ -76,6 +78,7 @@ class Ida final : public Formulation {
   N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
+  int steps_with_matrix_ = 0;
   std::vector<double> q_start_, absolute_;
   double t_ = 0.0;
   double t_stop_ = 0.0;
@@ -212,6 +215,7 @@ Step Ida::step(double t_stop) {
     IDAGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
+  if (flag != IDA_ROOT_RETURN) refresh_matrix();
   if (flag == IDA_ROOT_RETURN) {
     IDAGetRootInfo(memory_, found_.data());
     guard_.collect(t_, absolute(y()), y() + n_, y() + 2 * n_, found_);
@@ -219,6 +223,18 @@ Step Ida::step(double t_stop) {
   }
   guard_.accept(t_, absolute(y()), y() + n_, y() + 2 * n_);
   return Step::advanced;
+}
+
+// IDA keeps its matrix as long as Newton's iteration converges, and judges that by a rate it may
+// have measured long ago: at a constant step it accepts the first iterate for ever, whose error
+// grows with the distance to where the matrix was made. The error estimates of high order see that
+// as noise and the order falls. So the matrix is made anew behind IDA's back, for the same step; at
+// a tolerance of 1e-13 that halves the steps of a double pendulum.
+void Ida::refresh_matrix() {
+  if (++steps_with_matrix_ < steps_per_matrix) return;
+  equations_.calc_jacobian(t_, shift_, absolute(y()), y_dot());
+  equations_.factorise();
+  steps_with_matrix_ = 0;
 }
 
 double Ida::last_step() const {
@@ -278,6 +294,7 @@ int Ida::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Ve
   auto& me = *static_cast<Ida*>(self);
   return me.failure_.guard([&] {
     me.shift_ = c;
+    me.steps_with_matrix_ = 0;
     me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot));
     return 0;
   });
