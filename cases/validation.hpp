@@ -19,4 +19,10 @@ std::string impacts_document();
 /// The same as impacts.md, impacts.csv and impacts.json.
 void write_impacts(const std::filesystem::path& folder);
 
+/// Mechanisms of the literature with known answers, by every formulation at several tolerances.
+std::string benchmarks_document();
+/// The same as benchmarks.md, benchmarks.csv, benchmarks.json and work-precision diagrams in
+/// plots/.
+void write_benchmarks(const std::filesystem::path& folder);
+
 }  // namespace yoke::cases

@@ -30,6 +30,8 @@ const std::vector<Topic> topics = {
      convergence_document},
     {"impacts", "every dissipative law against its closed form, by both integrators",
      impacts_document, write_impacts},
+    {"benchmarks", "mechanisms of the literature with known answers, by every formulation",
+     benchmarks_document, write_benchmarks},
 };
 
 }  // namespace
