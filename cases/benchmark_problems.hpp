@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <yoke/cases/benchmark_andrews.hpp>
 #include <yoke/cases/benchmark_reference.hpp>
 #include <yoke/core/model.hpp>
 
@@ -24,6 +25,9 @@ struct BenchmarkBars {
   double period = BenchmarkErrors::none;
 };
 
+/// Largest differences, relative to each number itself.
+BenchmarkErrors andrews_difference(const AndrewsState& state, const AndrewsState& expected);
+
 struct Benchmark {
   std::string name;  // "double_pendulum"
   std::string title;
@@ -35,6 +39,9 @@ struct Benchmark {
   std::function<BenchmarkErrors(const Result&)> errors;
   /// Relative error of the period, if that is what is asked.
   std::function<double(const Result&)> period_error{};
+  /// Error of positions against a better reference than that of the literature, for order and
+  /// diagrams.
+  std::function<double(const Result&)> finer_error{};
   /// Tolerances tried, from loose to tight. Empty: the usual ones of the formulation.
   std::function<std::vector<double>(std::string_view formulation)> tolerances{};
   double budget = 20.0;  // [s] of processor time for one run
@@ -52,6 +59,8 @@ struct BenchmarkRun {
   std::string formulation;
   double tolerance = 0.0;
   BenchmarkErrors errors{};
+  double finer_error =
+      BenchmarkErrors::none;  // of positions; that of `errors` if there is no other
   double period_error = BenchmarkErrors::none;
   double energy = 0.0;          // largest error of the ledger over the energy exchanged
   double position_drift = 0.0;  // largest before projection [m, rad]

@@ -9,16 +9,19 @@
 
 namespace yoke::cases {
 
-// One function per case, defined in the file of its name.
+// One function per case, defined in the file of its name or, for the last, benchmark_cases.cpp.
 Case scotch_yoke_case();
 Case n_four_bar_case();
 Case parallelogram_case();
+Case point_pendulum_case();
+Case double_pendulum_case();
+Case andrews_case();
+Case car_axis_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
-      scotch_yoke_case(),
-      n_four_bar_case(),
-      parallelogram_case(),
+      scotch_yoke_case(),     n_four_bar_case(), parallelogram_case(), point_pendulum_case(),
+      double_pendulum_case(), andrews_case(),    car_axis_case(),
   };
   return cases;
 }
