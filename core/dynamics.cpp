@@ -69,10 +69,16 @@ void Dynamics::build_matrix() {
 void Dynamics::leave_out(const std::vector<int>& rows) {
   if (rows == system_.dropped_rows()) return;
   system_.drop_rows(rows);
+  retired_ = counters();
   build_matrix();
   lu_.emplace(matrix_);
   factorised_ = false;
   weakest_.clear();
+}
+
+FactorCounters Dynamics::counters() const {
+  const FactorCounters& now = lu_->counters();
+  return {retired_.refactorisations + now.refactorisations, retired_.fresh + now.fresh};
 }
 
 void Dynamics::reset() {

@@ -99,7 +99,7 @@ class Dynamics {
   int worst_row() const { return worst_row_; }
   /// Of the last projection [m or rad], or of position_violation() [length scales or rad].
   double worst_residual() const { return worst_residual_; }
-  const FactorCounters& counters() const { return lu_->counters(); }
+  FactorCounters counters() const;
   long evaluations() const { return evaluations_; }
   const SparseMatrix& matrix() const { return matrix_; }
 
@@ -128,7 +128,8 @@ class Dynamics {
   std::vector<Stamp> stamps_;
   std::vector<std::size_t> stamp_start_;  // [constraints + 1]
   std::optional<SparseLU> lu_;
-  std::vector<double> b_;  // right-hand side and solution, one entry more for the ground
+  FactorCounters retired_;  // of factorisations of other choices of rows
+  std::vector<double> b_;   // right-hand side and solution, one entry more for the ground
   std::vector<double> phi_;
   std::vector<double> residual_;
   std::vector<double> zero_;  // velocities, where none matter

@@ -20,7 +20,9 @@ constexpr double singular_at_start = 1e-8;  // absolute, while nothing larger ha
 constexpr double too_close = 1e-7;          // of a stage; errors of a position grow by its root
 constexpr double was_singular = 1e-6;       // of the largest: what is reported as crossed
 constexpr double look_ahead = 4.0;          // steps
-constexpr double shortest = 1e-3;    // of the time scale: steps are not cut below for accuracy
+// Of the time scale: steps are not cut below for accuracy; while a contact touches its impact must
+// be followed.
+constexpr double shortest_apart = 1e-3, shortest_touching = 1e-7;
 constexpr double longest = 0.5;      // of the time scale
 constexpr double error_share = 0.5;  // of the error weights
 constexpr double far = 1e300;        // [s] no singular position in sight
@@ -98,6 +100,7 @@ class SingularCrossing final : public Formulation {
   const FormulationEntry& entry_;
   Dynamics& dynamics_;
   Tolerances tolerances_;
+  double shortest_ = shortest_apart;
   std::function<void(const SingularPosition&)> record_;
   std::unique_ptr<Formulation> inner_;
   GaussCollocation gauss_, check_;
@@ -147,6 +150,9 @@ SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dyna
 }
 
 void SingularCrossing::start(const State& state) {
+  const bool touching = std::ranges::any_of(
+      state.contacts, [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
+  shortest_ = touching ? shortest_touching : shortest_apart;
   here_ = state;
   leaving_ = entering_ = has_before_ = false;
   t_m_ = state.t;
@@ -351,13 +357,13 @@ bool SingularCrossing::try_step(double t_stop) {
                          std::max(error_share, 1e-10 / tolerances_.relative);
     const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-12), -1.0 / 9.0), 0.3, 2.0);
     // An error that does not fall with the step is rounding.
-    if (error > 1.0 && h > shortest * scale && error < 0.5 * last_error) {
+    if (error > 1.0 && h > shortest_ * scale && error < 0.5 * last_error) {
       last_error = error;
-      h_ = std::max(factor * h, shortest * scale);
+      h_ = std::max(factor * h, shortest_ * scale);
       ++own_.rejected;
       continue;
     }
-    h_ = std::clamp(factor * std::max(h, h_), shortest * scale, longest * scale);
+    h_ = std::clamp(factor * std::max(h, h_), shortest_ * scale, longest * scale);
     return true;
   }
   segment_.end = std::move(y);

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include <yoke/cases/n_four_bar.hpp>
+#include <yoke/core/event_function.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {
@@ -96,6 +98,33 @@ TEST_CASE("a run that is taken up gives the same bits as the one that was not in
         check_same(resume(model, cut_short.path), reference);
       }
     }
+  }
+}
+
+TEST_CASE("redundant equations, singular positions and users' events survive being taken up") {
+  Model m = cases::n_four_bar({.loops = 2});
+  // A third way to hold the last bar, which says nothing new; a count of half turns that slows
+  // down.
+  m.add(Revolute{.name = "again", .a = ground, .b = m.find_body("link 2"), .at = {2.0, 0.0}});
+  m.add(EventFunction{.name = "lowest",
+                      .function = [](const Motion& at) { return at[BodyId{1}].x; },
+                      .crossing = Crossing::both});
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    TemporaryFolder whole, cut_short;
+    SimulationOptions o{.until = 2.0,
+                        .relative_tolerance = 1e-7,
+                        .formulation = std::string(f.name),
+                        .samples = 101,
+                        .checkpoints = {.folder = whole.path, .every = 0.13}};
+    const Result reference = simulate(m, o);
+    INFO(reference.summary.reason);
+    REQUIRE(reference.summary.ok());
+    CHECK(reference.summary.redundant_equations.size() == 2);
+    CHECK(reference.summary.singular_positions.size() >= 2);
+    o.checkpoints.folder = cut_short.path;
+    interrupted_run(m, o, reference.summary.steps / 2);
+    check_same(resume(m, cut_short.path), reference);
   }
 }
 

@@ -9,10 +9,13 @@
 #include <string>
 
 #include <yoke/cases/n_four_bar.hpp>
+#include <yoke/contact/power_law.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/joints/angle_driver.hpp>
 #include <yoke/joints/applied_torque.hpp>
+#include <yoke/joints/displacement_driver.hpp>
 #include <yoke/joints/prismatic.hpp>
+#include <yoke/tests/integrators/wall.hpp>
 
 namespace {
 
@@ -70,6 +73,11 @@ Model equal_slider_crank(double angle, double omega) {
   m.add(Revolute{.name = "wrist", .a = rod, .b = slider, .at = end});
   m.add(Prismatic{.name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}});
   return m;
+}
+
+/// What may be asked of a formulation: Runge-Kutta, BDF, or a method of order 2.
+double bar(const FormulationNote& f, double runge_kutta, double bdf, double second_order) {
+  return f.order <= 2 ? second_order : f.family == "BDF" ? bdf : runge_kutta;
 }
 
 double n_four_bar_error(const Result& run, int loops) {
@@ -186,5 +194,103 @@ TEST_CASE("a slider-crank with equal crank and rod goes on as a slider-crank thr
       CHECK(crank[100] > start + 1.0);
       CHECK(run.summary.energy_balance < 1e-7);
     }
+  }
+}
+
+TEST_CASE("a contact that begins while a singular position is being crossed is located there") {
+  // The tip of the last link meets a floor a little above the pivots, 0.01 rad before all is in
+  // line, and is thrown back: the singular position itself is not reached.
+  const double height = std::sin(0.01);
+  for (const FormulationNote& formulation : formulations()) {
+    INFO(formulation.name);
+    Model m = cases::n_four_bar();
+    m.add(tests::Wall{.name = "floor",
+                      .body = m.find_body("link 1"),
+                      .law = ContactLaw(PowerLaw{.K = 1e9, .n = 1.5}),
+                      .height = height,
+                      .point = {0.5, 0.0}});
+    const bool implicit = formulation.family == "BDF";
+    const Result run = simulate(m, {.until = 0.9,
+                                    .relative_tolerance = implicit ? 1e-12 : 1e-10,
+                                    .formulation = std::string(formulation.name),
+                                    .samples = 91});
+    INFO(run.summary.reason);
+    REQUIRE(run.summary.ok());
+    REQUIRE(run.events.size() >= 2);
+    const auto onset = std::ranges::find(run.events, "onset", &EventRecord::kind);
+    REQUIRE(onset != run.events.end());
+    CHECK(std::abs(cases::n_four_bar_angle(1, onset->t) - 0.01) <
+          bar(formulation, 1e-8, 1e-7, 1e-4));
+    const auto release = std::ranges::find(run.events, "release", &EventRecord::kind);
+    REQUIRE(release != run.events.end());
+    CHECK(std::abs(release->speed / onset->speed + 1.0) < bar(formulation, 1e-6, 1e-6, 1e-2));
+    // Thrown back it goes where it came from.
+    const double back = 2.0 * onset->t - 0.9 + (release->t - onset->t);
+    CHECK(std::abs(run["link 0.angle_rad"](90) - cases::n_four_bar_angle(1, back)) <
+          bar(formulation, 1e-5, 1e-5, 1e-2));
+  }
+}
+
+TEST_CASE("a double rocker turns round at its dead positions, which are not singular") {
+  // Rockers of 1 m, coupler 0.6 m, ground 1.8 m: no link can turn over. At its limits coupler and
+  // one rocker are in line, and the other rocker stands still for an instant.
+  for (const FormulationNote& formulation : formulations()) {
+    INFO(formulation.name);
+    const double lean = std::acos(0.6);
+    const Vec2 left = rotate(lean, {1.0, 0.0}),
+               right = Vec2(1.8, 0.0) + rotate(pi - lean, {1.0, 0.0});
+    Model m;
+    const BodyId a = add_rod(m, "left", {0.0, 0.0}, left, 3.0);
+    const BodyId b = m.add(
+        {.name = "coupler", .mass = 1.0, .inertia = 0.1, .pose = {0.5 * (left + right), 0.0}});
+    const BodyId c = add_rod(m, "right", {1.8, 0.0}, right, 3.0);
+    m.add(Revolute{.name = "left pivot", .a = ground, .b = a, .at = {0.0, 0.0}});
+    m.add(Revolute{.name = "left tip", .a = a, .b = b, .at = left});
+    m.add(Revolute{.name = "right tip", .a = b, .b = c, .at = right});
+    m.add(Revolute{.name = "right pivot", .a = ground, .b = c, .at = {1.8, 0.0}});
+    const Result run = simulate(m, {.until = 4.0,
+                                    .relative_tolerance = 1e-8,
+                                    .formulation = std::string(formulation.name),
+                                    .samples = 401});
+    INFO(run.summary.reason);
+    REQUIRE(run.summary.ok());
+    CHECK(run.summary.singular_positions.empty());
+    const Eigen::VectorXd omega = run["left.omega_rad_per_s"], angle = run["left.angle_rad"];
+    CHECK(omega.minCoeff() < -1.0);
+    CHECK(omega.maxCoeff() > 1.0);
+    // With coupler and right rocker in line the left tip is 1.6 m from the right pivot.
+    const double limit = std::acos((1.0 + 1.8 * 1.8 - 1.6 * 1.6) / (2.0 * 1.8));
+    CHECK(angle.maxCoeff() < limit + 1e-6);
+    CHECK(angle.maxCoeff() > limit - 0.01);
+    CHECK(angle.minCoeff() > -limit - 1e-6);
+    CHECK(run.summary.energy_balance < 3e-6 * run["kinetic_J"](0));
+  }
+}
+
+TEST_CASE("a slider driven beyond its reach ends the run where it can go no further") {
+  Model m;
+  const BodyId crank = add_rod(m, "crank", {0.0, 0.0}, rotate(0.8, {1.0, 0.0}));
+  const Vec2 tip = rotate(0.8, {1.0, 0.0}), end(tip.x() + std::sqrt(4.0 - tip.y() * tip.y()), 0.0);
+  const BodyId rod = add_rod(m, "rod", tip, end);
+  const BodyId slider = m.add({.name = "slider", .mass = 1.0, .inertia = 0.1, .pose = {end, 0.0}});
+  m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = {0.0, 0.0}});
+  m.add(Revolute{.name = "pin", .a = crank, .b = rod, .at = tip});
+  m.add(Revolute{.name = "wrist", .a = rod, .b = slider, .at = end});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}});
+  m.add(DisplacementDriver{.name = "pull",
+                           .body = slider,
+                           .at = end,
+                           .along = {1.0, 0.0},
+                           .displacement = constant_speed(0.0, 1.0)});
+  const double reach = 3.0 - end.x();  // [s] at 1 m/s
+  for (const FormulationNote& formulation : formulations()) {
+    INFO(formulation.name);
+    const Result run =
+        simulate(m, {.until = 2.0 * reach, .formulation = std::string(formulation.name)});
+    INFO(run.summary.reason);
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK(run.summary.t_end < 1.001 * reach);
+    CHECK(run.summary.t_end > 0.9 * reach);
+    CHECK(run.final.q.allFinite());
   }
 }
