@@ -180,36 +180,48 @@ void System::calc_velocity_residual(double* residual) {
     } else {
       std::fill_n(out, c.rows, 0.0);
     }
-    const double* G = G_.data() + c.block;
-    for (int j = 0; j < c.columns; ++j) {
+    for (int j = 0; j < c.columns; j += 3) {  // body by body
       const int dof = dof_[at(c.dofs + j)];
       if (dof < 0) continue;
       const BodyMotion& b = bodies_[at(dof / 3 + 1)];
-      const double v = dof % 3 == 0 ? b.vx : dof % 3 == 1 ? b.vy : b.omega;
-      for (int i = 0; i < c.rows; ++i) out[i] += G[i * c.columns + j] * v;
+      const double* G = G_.data() + c.block + j;
+      for (int i = 0; i < c.rows; ++i, G += c.columns)
+        out[i] = out[i] + G[0] * b.vx + G[1] * b.vy + G[2] * b.omega;
     }
   }
 }
 
 void System::add_jacobian_times(const double* x, double* out) const {
   for (const ConstraintSlot& c : constraints_) {
-    const double* G = G_.data() + c.block;
-    for (int j = 0; j < c.columns; ++j) {
+    for (int j = 0; j < c.columns; j += 3) {
       const int dof = dof_[at(c.dofs + j)];
       if (dof < 0) continue;
-      for (int i = 0; i < c.rows; ++i) out[c.row + i] += G[i * c.columns + j] * x[dof];
+      const double* G = G_.data() + c.block + j;
+      const double x0 = x[dof], x1 = x[dof + 1], x2 = x[dof + 2];
+      for (int i = c.row; i < c.row + c.rows; ++i, G += c.columns)
+        out[i] = out[i] + G[0] * x0 + G[1] * x1 + G[2] * x2;
     }
   }
 }
 
 void System::subtract_constraint_forces(const double* lambda, double* force) const {
   for (const ConstraintSlot& c : constraints_) {
-    const double* G = G_.data() + c.block;
-    for (int j = 0; j < c.columns; ++j) {
-      double sum = 0.0;
-      for (int i = 0; i < c.rows; ++i) sum += G[i * c.columns + j] * lambda[c.row + i];
+    for (int j = 0; j < c.columns; j += 3) {
+      const double* G = G_.data() + c.block + j;
+      double x = 0.0, y = 0.0, moment = 0.0;
+      for (int i = c.row; i < c.row + c.rows; ++i, G += c.columns) {
+        x += G[0] * lambda[i];
+        y += G[1] * lambda[i];
+        moment += G[2] * lambda[i];
+      }
       const int dof = dof_[at(c.dofs + j)];
-      force[dof < 0 ? dofs_ : dof] -= sum;
+      if (dof < 0) {
+        force[dofs_] -= x + y + moment;
+      } else {
+        force[dof] -= x;
+        force[dof + 1] -= y;
+        force[dof + 2] -= moment;
+      }
     }
   }
 }

@@ -78,8 +78,8 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
       mask_(system_),
       guard_(dynamics) {
   for (Node* node : {&begin_, &end_, &new_}) allocate(*node);
-  for (Vector* x : {&q_start_, &q_, &b_, &jerk_, &jerk_normal_, &v_old_, &a_old_, &v_, &a_, &rate_,
-                    &dense_u_, &dense_v_})
+  for (Vector* x : {&q_start_, &q_, &rounding_, &b_, &jerk_, &jerk_normal_, &v_old_, &a_old_, &v_,
+                    &a_, &rate_, &dense_u_, &dense_v_})
     x->assign(at(n_), 0.0);
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
   for (Vector* x : {&lambda_, &lambda_rate_}) x->assign(at(rows_), 0.0);
@@ -121,6 +121,16 @@ double GeneralisedAlpha::extent(int i) const {
   return std::abs(q_start_[at(i)]) + (i % 3 == 2 ? 1.0 : system_.scales().length);
 }
 
+/// What rounding of the positions leaves unknown of a coordinate: an angle is only as good as the
+/// positions of joints, at about the radius of gyration from the centre.
+double GeneralisedAlpha::rounding(int i) const {
+  const double own = rounding_of(extent(i));
+  if (i % 3 != 2) return own;
+  const double gyration = std::sqrt(system_.mass()[at(i)] / system_.mass()[at(i - 1)]);
+  const double position = std::max(std::abs(q_start_[at(i - 2)]), std::abs(q_start_[at(i - 1)]));
+  return std::max(own, rounding_of(position) / gyration);
+}
+
 bool GeneralisedAlpha::calc_rates(Node& node) {
   return dynamics_.calc_accelerations(
       node.t, absolute(node.u), node.v.data(), node.z.data(), node.a.data(), node.lambda.data(),
@@ -135,6 +145,7 @@ void GeneralisedAlpha::start(const State& state) {
   std::copy_n(state.z.data(), nz_, end_.z.begin());
   std::copy_n(state.energy.data(), quadratures_, end_.energy.begin());
   choose_allowed();
+  for (int i = 0; i < n_; ++i) rounding_[at(i)] = rounding(i);
   guard_.start(t_, state.q.data(), end_.v.data(), end_.z.data());
   if (guard_.count() > 0)
     guard_.evaluate(t_, state.q.data(), end_.v.data(), end_.z.data(), g_from_.data());
@@ -376,7 +387,7 @@ double GeneralisedAlpha::correct(double h) {
     a_[at(i)] += da;
     rate_[at(i)] += am * da;
     const double r =
-        std::abs(dq) / std::max(newton_share * allowed_ * tolerances_.q[i], rounding_of(extent(i)));
+        std::abs(dq) / std::max(newton_share * allowed_ * tolerances_.q[i], rounding_[at(i)]);
     if (!(r <= norm)) norm = r;  // catches NaN
   }
   for (int i = 0; i < nz_; ++i) {

@@ -111,6 +111,7 @@ class GeneralisedAlpha final : public Formulation {
   void calc_interpolant(const Node& from, const Node& to, double t);
   void choose_allowed();
   double extent(int i) const;
+  double rounding(int i) const;
   Step fail(const char* why);
 
   Dynamics& dynamics_;
@@ -124,6 +125,7 @@ class GeneralisedAlpha final : public Formulation {
   MultiplierMask mask_;
   EventGuard guard_;
   Vector q_start_, q_;      // q_: absolute positions, scratch
+  Vector rounding_;         // of each coordinate
   Node begin_, end_, new_;  // the last step, and the end of the one being tried
   Vector b_, b_z_;          // (a - v')/h, and the same of z, at the end of the last step
   Vector jerk_;             // v'' there, [n]
