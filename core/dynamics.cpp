@@ -210,10 +210,21 @@ bool Dynamics::project_positions(double t, double* q, bool to_rounding) {
 }
 
 bool Dynamics::project_velocities(double t, const double* q, double* v) {
-  const int n = system_.dofs();
   system_.set_motion(t, q, v);
+  if (!same_as_factorised(t, q)) system_.calc_position_level(phi_.data());
+  return improve_velocity(t, q, v);
+}
+
+bool Dynamics::project(double t, double* q, double* v) {
+  if (!project_positions(t, q)) return false;
+  system_.set_motion(t, q, v);
+  return improve_velocity(t, q, v);
+}
+
+// At the motion set, with the blocks of G there.
+bool Dynamics::improve_velocity(double t, const double* q, double* v) {
+  const int n = system_.dofs();
   if (!same_as_factorised(t, q)) {
-    system_.calc_position_level(phi_.data());
     for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
     if (!factorise_at(t, q)) return false;
   }
@@ -231,9 +242,7 @@ bool Dynamics::project_velocities(double t, const double* q, double* v) {
 
 bool Dynamics::project(State& state) {
   system_.bind(state);
-  if (project_positions(state.t, state.q.data()) &&
-      project_velocities(state.t, state.q.data(), state.v.data()) && calc_accelerations(state))
-    return true;
+  if (project(state.t, state.q.data(), state.v.data()) && calc_accelerations(state)) return true;
   return project_singular(state);
 }
 

@@ -60,6 +60,8 @@ class Dynamics {
   bool project_positions(double t, double* q, bool to_rounding = false);
   /// Moves v to the nearest velocity allowed at q, which must be projected already.
   bool project_velocities(double t, const double* q, double* v);
+  /// Both.
+  bool project(double t, double* q, double* v);
   /// Both, and accelerations and multipliers. At a singular position accelerations are a solution
   /// and multipliers those of least norm, neither the limit from beside it.
   bool project(State& state);
@@ -114,6 +116,7 @@ class Dynamics {
   void stamp(std::size_t constraint);
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
+  bool improve_velocity(double t, const double* q, double* v);
   bool same_as_factorised(double t, const double* q) const;
   Outcome assemble_from_afar(State& state);
   Outcome settle_redundancy(State& state);

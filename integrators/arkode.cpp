@@ -327,7 +327,7 @@ int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
 
 bool Arkode::project(double t, double* y) {
   double* q = q_of(y);
-  if (dynamics_.project_positions(t, q) && dynamics_.project_velocities(t, q, y + n_)) {
+  if (dynamics_.project(t, q, y + n_)) {
     double moved = 0.0;  // in units of the error weights
     for (std::size_t i = 0; i < q_.size(); ++i) {
       const double projected = q[i] - q_start_[i];

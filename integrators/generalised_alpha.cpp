@@ -409,9 +409,8 @@ bool GeneralisedAlpha::finish(double t) {
   new_.v = v_;
   double* q = absolute(new_.u);
   if (!options_.plain) {
-    if (!dynamics_.project_positions(t, q)) return false;
+    if (!dynamics_.project(t, q, new_.v.data())) return false;
     for (std::size_t i = 0; i < q_.size(); ++i) new_.u[i] = q_[i] - q_start_[i];
-    if (!dynamics_.project_velocities(t, q, new_.v.data())) return false;
   }
   if (!calc_rates(new_)) return false;
   if (options_.plain) new_.a = rate_;
