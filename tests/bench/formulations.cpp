@@ -221,6 +221,25 @@ double time_of_evaluation(const Cost& c) { return c.step / c.evaluations; }
 
 int repeats_for(int links) { return std::clamp(20000 / links, 1, 30); }
 
+void print_growth(const std::vector<int>& links, const std::vector<std::vector<Cost>>& costs) {
+  fmt::print(
+      "\nGrowth with the number of links (exponent; least squares, and from end to end)\n\n");
+  fmt::print("{:18} {:>15} {:>15} {:>15} {:>17} {}\n", "formulation", "step", "KLU", "difference",
+             "per evaluation", fmt::format(" at most KLU + {}", allowance));
+  for (std::size_t f = 0; f < costs.size(); ++f) {
+    const auto pair = [&](double (*time)(const Cost&)) {
+      return std::array{exponent(links, costs[f], time), end_exponent(links, costs[f], time)};
+    };
+    const auto step = pair(time_of_step), klu = pair(time_of_klu);
+    const auto evaluation = pair(time_of_evaluation);
+    const auto show = [](double a, double b) { return fmt::format("{:.3f} {:.3f}", a, b); };
+    fmt::print("{:18} {:>15} {:>15} {:>15} {:>17}  {}\n", formulation_registry()[f].name,
+               show(step[0], step[1]), show(klu[0], klu[1]),
+               show(step[0] - klu[0], step[1] - klu[1]), show(evaluation[0], evaluation[1]),
+               step[0] - klu[0] <= allowance ? "PASS" : "MISS");
+  }
+}
+
 void print_formulations(const std::vector<int>& links) {
   std::vector<std::vector<Cost>> costs(formulation_registry().size());
   std::vector<double> model(links.size()), assembly(links.size());
@@ -247,22 +266,7 @@ void print_formulations(const std::vector<int>& links) {
           c.rejected, c.evaluations, c.factors, ns * c.set_up, ns * c.klu_set_up);
     }
   }
-  fmt::print(
-      "\nGrowth with the number of links (exponent; least squares, and from end to end)\n\n");
-  fmt::print("{:18} {:>15} {:>15} {:>15} {:>17} {}\n", "formulation", "step", "KLU", "difference",
-             "per evaluation", fmt::format(" at most KLU + {}", allowance));
-  for (std::size_t f = 0; f < costs.size(); ++f) {
-    const auto pair = [&](double (*time)(const Cost&)) {
-      return std::array{exponent(links, costs[f], time), end_exponent(links, costs[f], time)};
-    };
-    const auto step = pair(time_of_step), klu = pair(time_of_klu);
-    const auto evaluation = pair(time_of_evaluation);
-    const auto show = [](double a, double b) { return fmt::format("{:.3f} {:.3f}", a, b); };
-    fmt::print("{:18} {:>15} {:>15} {:>15} {:>17}  {}\n", formulation_registry()[f].name,
-               show(step[0], step[1]), show(klu[0], klu[1]),
-               show(step[0] - klu[0], step[1] - klu[1]), show(evaluation[0], evaluation[1]),
-               step[0] - klu[0] <= allowance ? "PASS" : "MISS");
-  }
+  if (links.size() > 1) print_growth(links, costs);
   fmt::print("\nBefore the first step, ns per link\n\n{:>7} {:>12} {:>12}\n", "links", "model",
              "assembly");
   for (std::size_t i = 0; i < links.size(); ++i)
