@@ -234,7 +234,7 @@ void print_andrews_reference(Document& doc) {
 
 constexpr const char* front = R"(# Benchmarks
 
-Printed by `yoke validate benchmarks`, which takes about two minutes on 2 cores; `-o DIR` writes it
+Printed by `yoke validate benchmarks`, which takes two to three minutes on 2 cores; `-o DIR` writes it
 with every single run as CSV and JSON, and the work-precision diagrams. Mechanisms of the literature
 whose motion is known, by all formulations.
 
