@@ -9,10 +9,13 @@
 
 namespace yoke::cases {
 
-// One function per case, defined in the file of its name or, for the last, benchmark_cases.cpp.
+// One function per case, defined in the file of its name or, for the last four, in
+// benchmark_cases.cpp.
 Case scotch_yoke_case();
 Case n_four_bar_case();
 Case parallelogram_case();
+Case slider_crank_case();
+Case pendulum_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
 Case andrews_case();
@@ -20,7 +23,8 @@ Case car_axis_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
-      scotch_yoke_case(),     n_four_bar_case(), parallelogram_case(), point_pendulum_case(),
+      scotch_yoke_case(),     n_four_bar_case(), parallelogram_case(),
+      slider_crank_case(),    pendulum_case(),   point_pendulum_case(),
       double_pendulum_case(), andrews_case(),    car_axis_case(),
   };
   return cases;

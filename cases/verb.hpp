@@ -25,6 +25,10 @@ void add_law_verb(CLI::App& app, Action& action);
 void add_impact_verb(CLI::App& app, Action& action);
 void add_reproduce_verb(CLI::App& app, Action& action);
 void add_check_verb(CLI::App& app, Action& action);
+void add_kinematics_verb(CLI::App& app, Action& action);
+void add_inverse_dynamics_verb(CLI::App& app, Action& action);
+void add_equilibrium_verb(CLI::App& app, Action& action);
+void add_modes_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

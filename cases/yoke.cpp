@@ -22,6 +22,10 @@ int run(int argc, char** argv) {
   add_run_verb(app, action);
   add_resume_verb(app, action);
   add_check_verb(app, action);
+  add_kinematics_verb(app, action);
+  add_inverse_dynamics_verb(app, action);
+  add_equilibrium_verb(app, action);
+  add_modes_verb(app, action);
   add_study_verb(app, action);
   add_validate_verb(app, action);
   add_law_verb(app, action);

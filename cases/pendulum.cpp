@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A chain of uniform links that hangs from a pivot; one link is the pendulum.
+#include <string>
+
+#include <yoke/cases/model_job.hpp>
+#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/revolute.hpp>
+#include <yoke/joints/torsional_spring.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+Model model_of(const Parameters& p) {
+  const int links = static_cast<int>(p.number("links"));
+  const double l = p.number("length") / links, mass = 1.0 / links,
+               angle = p.number("angle") - 0.5 * pi;
+  Model m;
+  const Vec2 along = rotate(angle, {l, 0.0});
+  BodyId last = ground;
+  for (int i = 0; i < links; ++i) {
+    const std::string n = std::to_string(i + 1);
+    const BodyId link = m.add({.name = "link " + n,
+                               .mass = mass,
+                               .inertia = mass * l * l / 12.0,
+                               .pose = {(i + 0.5) * along, angle}});
+    m.add(Revolute{.name = "joint " + n, .a = last, .b = link, .at = i * along});
+    m.add(TorsionalSpring{
+        .name = "damper " + n, .a = last, .b = link, .damping = p.number("damping")});
+    last = link;
+  }
+  m.add(Gravity{});
+  return m;
+}
+
+}  // namespace
+
+Case pendulum_case() {
+  return {.name = "pendulum",
+          .description = "a hanging chain of uniform links, 1 kg together",
+          .parameters = {{.name = "links",
+                          .quantity = Quantity::number,
+                          .default_text = "1",
+                          .low = 1.0,
+                          .high = 400.0,
+                          .description = "of the chain; one is the pendulum"},
+                         {.name = "length",
+                          .quantity = Quantity::length,
+                          .default_text = "1000mm",
+                          .low = 1e-3,
+                          .high = 100.0,
+                          .description = "of the whole chain"},
+                         {.name = "angle",
+                          .quantity = Quantity::angle,
+                          .default_text = "30deg",
+                          .low = -pi,
+                          .high = pi,
+                          .description = "from the vertical at the start"},
+                         {.name = "damping",
+                          .quantity = Quantity::number,
+                          .default_text = "0",
+                          .low = 0.0,
+                          .high = 1e6,
+                          .description = "of every joint, in N m s/rad"}},
+          .laws = {},
+          .default_output = "results/pendulum",
+          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
+          .run = [](const RunRequest& r) { return run_model(model_of(r.parameters), 5.0, r); }};
+}
+
+}  // namespace yoke::cases
