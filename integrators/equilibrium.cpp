@@ -21,7 +21,7 @@ namespace {
 constexpr double newton_tolerance = 1e-13;  // of F, scaled, as KINSOL sees it
 constexpr double good_residual = 1e-7;      // of F, scaled: what rounding of a stiff contact leaves
 constexpr double good_step = 1e-10;         // of the last Newton step in length scales or rad
-constexpr double largest_step = 0.5;        // length scales or rad in one iteration, all together
+constexpr double largest_step = 1.0;        // scaled, on average of all unknowns, in one iteration
 constexpr double first_load = 0.1, smallest_load = 1e-4;
 constexpr double largest_move = 0.2;  // length scales or rad in one step of a relaxation
 constexpr int relaxation_steps = 3000;
@@ -333,7 +333,8 @@ class Solver {
   bool newton(Vector& x) {
     Vector y = x, F;
     const NonlinearOutcome outcome =
-        solve_nonlinear(statics_.problem(), y, newton_tolerance, largest_step);
+        solve_nonlinear(statics_.problem(), y, newton_tolerance,
+                        largest_step * std::sqrt(static_cast<double>(y.size())));
     e_.iterations += outcome.iterations;
     if (!statics_.residual(y, F)) return false;
     double norm = F.cwiseAbs().maxCoeff();

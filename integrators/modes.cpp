@@ -121,7 +121,7 @@ Mode make_mode(std::complex<double> s, Eigen::VectorXcd shape, const Eigen::Vect
   const double size = std::abs(s);
   mode.frequency = size / (2.0 * pi);
   mode.damped_frequency = std::abs(s.imag()) / (2.0 * pi);
-  mode.damping_ratio = size > 0.0 ? -s.real() / size : 0.0;
+  mode.damping_ratio = size > 0.0 ? 0.0 - s.real() / size : 0.0;
   double square = 0.0;
   Eigen::Index largest = 0;
   for (Eigen::Index i = 0; i < shape.size(); ++i) {

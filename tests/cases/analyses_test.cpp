@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/tests/cases/analyses_example.hpp>
+
+namespace {
+
+std::string text(const std::string& path) {
+  std::ifstream file(std::string(YOKE_SOURCE_DIR "/") + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+yoke::Model model_of(const char* name) {
+  const yoke::cases::Case& c = yoke::cases::find_case(name);
+  return c.model(yoke::cases::Parameters(c.parameters), "");
+}
+
+}  // namespace
+
+TEST_CASE("the code in docs/analyses.md is compiled here and does what it says") {
+  const std::string document = text("docs/analyses.md");
+  const std::string compiled = text("tests/cases/analyses_example.hpp");
+  int blocks = 0;
+  for (std::size_t at = 0; (at = document.find("```cpp\n", at)) != std::string::npos; ++blocks) {
+    at += 7;
+    const std::string block = document.substr(at, document.find("```\n", at) - at);
+    CHECK_MESSAGE(compiled.find(block) != std::string::npos, block);
+  }
+  CHECK(blocks == 5);
+
+  using namespace yoke;
+  const Model driven = model_of("slider_crank"), pendulum = model_of("pendulum");
+  CHECK(analyses_example::slider_acceleration(driven).size() == 25);
+  CHECK(analyses_example::largest_torque(driven) ==
+        doctest::Approx(139.29195312875739).epsilon(1e-10));
+  CHECK(analyses_example::lowest_frequency(pendulum) ==
+        doctest::Approx(std::sqrt(1.5 * 9.81) / (2.0 * pi)).epsilon(1e-10));
+  const Result run = simulate(driven, {.until = 0.012, .samples = 25});
+  CHECK(analyses_example::pivot_force(driven, run, 0.0) ==
+        doctest::Approx(8253.228217346136).epsilon(1e-8));
+  // The driver is in the model already: no drive is left to be found.
+  CHECK_THROWS_AS(analyses_example::torque_needed(driven, run), ModelError);
+}
+
+TEST_CASE("the verbs of the analyses run their cases, and say why one does not fit") {
+  const auto run = [](const std::string& arguments) {
+    return std::system(("'" YOKE_BINARY_DIR "/yoke' " + arguments + " >/dev/null 2>&1").c_str()) >>
+           8;
+  };
+  CHECK(run("kinematics scotch_yoke -o /dev/null/none") == 1);
+  CHECK(run("equilibrium pendulum --format json") == 0);
+  CHECK(run("modes pendulum --set links=3") == 0);
+  CHECK(run("modes pendulum --about nowhere") == 2);
+}
