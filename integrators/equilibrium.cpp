@@ -41,9 +41,10 @@ class Statics {
     state_.t = options.t;
     state_.v.setZero();
     if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
+    // Multipliers of the pose let go: with none at all the derivative of a pendulum is singular.
     state_.v.setZero();
+    dynamics_.calc_accelerations(state_);
     state_.a.setZero();
-    state_.lambda.setZero();
     n_ = system_.dofs(), nz_ = system_.states(), rows_ = system_.rows();
     length_ = system_.natural_length();
     system_.set_scales({.length = length_, .time = 1.0});
@@ -362,8 +363,6 @@ class Solver {
 
   bool bring_on_loads(Vector& x) {
     double load = 0.0, step = first_load;
-    statics_.set_load(0.0);
-    if (!newton(x)) return false;
     while (load < 1.0 && e_.load_steps < options_.load_steps) {
       const double next = std::min(1.0, load + step);
       statics_.set_load(next);
