@@ -15,7 +15,7 @@ Case scotch_yoke_case();
 Case n_four_bar_case();
 Case parallelogram_case();
 Case slider_crank_case();
-Case pendulum_case();
+Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
 Case andrews_case();
@@ -24,7 +24,7 @@ Case car_axis_case();
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
       scotch_yoke_case(),     n_four_bar_case(), parallelogram_case(),
-      slider_crank_case(),    pendulum_case(),   point_pendulum_case(),
+      slider_crank_case(),    hanging_chain_case(),   point_pendulum_case(),
       double_pendulum_case(), andrews_case(),    car_axis_case(),
   };
   return cases;

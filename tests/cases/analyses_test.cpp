@@ -35,7 +35,7 @@ TEST_CASE("the code in docs/analyses.md is compiled here and does what it says")
   CHECK(blocks == 5);
 
   using namespace yoke;
-  const Model driven = model_of("slider_crank"), pendulum = model_of("pendulum");
+  const Model driven = model_of("slider_crank"), pendulum = model_of("hanging_chain");
   CHECK(analyses_example::slider_acceleration(driven).size() == 25);
   CHECK(analyses_example::largest_torque(driven) ==
         doctest::Approx(139.29195312875739).epsilon(1e-10));
@@ -54,7 +54,7 @@ TEST_CASE("the verbs of the analyses run their cases, and say why one does not f
            8;
   };
   CHECK(run("kinematics scotch_yoke -o /dev/null/none") == 1);
-  CHECK(run("equilibrium pendulum --format json") == 0);
-  CHECK(run("modes pendulum --set links=3") == 0);
-  CHECK(run("modes pendulum --about nowhere") == 2);
+  CHECK(run("equilibrium hanging_chain --format json") == 0);
+  CHECK(run("modes hanging_chain --set links=3") == 0);
+  CHECK(run("modes hanging_chain --about nowhere") == 2);
 }

@@ -37,8 +37,8 @@ Model model_of(const Parameters& p) {
 
 }  // namespace
 
-Case pendulum_case() {
-  return {.name = "pendulum",
+Case hanging_chain_case() {
+  return {.name = "hanging_chain",
           .description = "a hanging chain of uniform links, 1 kg together",
           .parameters = {{.name = "links",
                           .quantity = Quantity::number,
