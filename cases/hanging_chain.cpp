@@ -65,7 +65,7 @@ Case hanging_chain_case() {
                           .high = 1e6,
                           .description = "of every joint, in N m s/rad"}},
           .laws = {},
-          .default_output = "results/pendulum",
+          .default_output = "results/hanging_chain",
           .model = [](const Parameters& p, std::string_view) { return model_of(p); },
           .run = [](const RunRequest& r) { return run_model(model_of(r.parameters), 5.0, r); }};
 }

@@ -23,9 +23,9 @@ Case car_axis_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
-      scotch_yoke_case(),     n_four_bar_case(), parallelogram_case(),
-      slider_crank_case(),    hanging_chain_case(),   point_pendulum_case(),
-      double_pendulum_case(), andrews_case(),    car_axis_case(),
+      scotch_yoke_case(),     n_four_bar_case(),    parallelogram_case(),
+      slider_crank_case(),    hanging_chain_case(), point_pendulum_case(),
+      double_pendulum_case(), andrews_case(),       car_axis_case(),
   };
   return cases;
 }

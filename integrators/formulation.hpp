@@ -41,6 +41,7 @@ struct StepCounters {
   long steps = 0;
   long rejected = 0;
   long jacobians = 0;
+  long evaluations = 0;    // of forces for residuals of its own, besides accelerations
   FactorCounters factors;  // of matrices of its own, besides the saddle matrix
 };
 

@@ -344,6 +344,7 @@ bool GeneralisedAlpha::solve_stage(double h, double t) {
 
 /// -R into x_.
 bool GeneralisedAlpha::calc_residual(double t) {
+  ++counters_.evaluations;
   system_.set_motion(t, absolute(new_.u), v_.data());
   system_.set_states(new_.z.data());
   double* r_q = x_.data();

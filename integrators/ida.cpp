@@ -84,6 +84,7 @@ class Ida final : public Formulation {
   double t_stop_ = 0.0;
   std::vector<int> found_;
   StepCounters before_;
+  long residuals_ = 0;  // never reset
   CallbackFailure failure_;
 };
 
@@ -255,6 +256,7 @@ void Ida::interpolate(double t, State& state) {
 StepCounters Ida::counters() const {
   StepCounters total = before_;
   total.factors = equations_.counters();
+  total.evaluations = residuals_;
   if (memory_ == nullptr) return total;
   long steps = 0, errors = 0, newton = 0, jacobians = 0;
   IDAGetNumSteps(memory_, &steps);
@@ -277,6 +279,7 @@ int Ida::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* s
 
 bool Ida::calc_residual(double t, const double* y, const double* y_dot, double* residual) {
   const double* at = absolute(y);
+  ++residuals_;
   if (!equations_.calc_residual(t, at, y_dot, residual)) return false;
   if (quadratures_ == 0) return true;
   // Multipliers from the acceleration-level solve: IDA's own are a hundred times worse.

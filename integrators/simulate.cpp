@@ -607,7 +607,7 @@ void Run::summarise() {
   summary.rejected = before_.rejected + counters.rejected;
   summary.jacobians = before_.jacobians + counters.jacobians;
   const Cost stepping = cost() - cost_before_ - recording_;
-  summary.evaluations = before_.evaluations + stepping.evaluations;
+  summary.evaluations = before_.evaluations + stepping.evaluations + counters.evaluations;
   summary.refactorisations =
       before_.refactorisations + stepping.refactorisations + counters.factors.refactorisations;
   summary.fresh_factorisations =

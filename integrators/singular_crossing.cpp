@@ -516,6 +516,7 @@ StepCounters SingularCrossing::counters() const {
     total.steps += more->steps;
     total.rejected += more->rejected;
     total.jacobians += more->jacobians;
+    total.evaluations += more->evaluations;
     total.factors.refactorisations += more->factors.refactorisations;
     total.factors.fresh += more->factors.fresh;
   }
