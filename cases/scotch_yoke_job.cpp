@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // yoke run scotch_yoke: every law in turn, into DIR/LAW/, then the plots.
+#include <yoke/cases/model_job.hpp>
 #include <yoke/cases/scotch_yoke_job.hpp>
 
 #include <algorithm>
@@ -202,28 +203,6 @@ void write_run(const RunRequest& request, const ScotchYoke& choices, const LawRu
   write_text(folder / "summary.json", summary_json(request, run));
   write_events(run.events, folder / "events.csv");
   thinned(run, choices).write_csv(folder / "motion.csv");
-}
-
-/// Digits that agree, by quantity: the error bar beside the result.
-void print_verification(const std::string& law, const Verification& v) {
-  fmt::print("\n{}: digits that agree with {} at a tolerance of {:g}\n", law, v.formulation,
-             v.relative_tolerance);
-  if (!v.summary.ok()) fmt::print("  it did not complete: {}\n", v.summary.reason);
-  constexpr double as_good_as_equal = 12.0;
-  long equal = 0;
-  for (const Agreement& a : v.quantities) {
-    if (a.digits > as_good_as_equal)
-      ++equal;
-    else
-      fmt::print("  {:<32} {:>5.1f}   largest difference {:.1e} of {:.3g}\n", a.column, a.digits,
-                 a.difference, a.peak);
-  }
-  fmt::print("  {:<32} {:>5.0f} or more\n", fmt::format("{} others", equal), as_good_as_equal);
-  if (v.same_events)
-    fmt::print("  {:<32} all {}, their times within {:.1e} s\n", "events", v.events,
-               v.event_time_difference);
-  else
-    fmt::print("  {:<32} differ: {} and {}\n", "events", v.events, v.other_events);
 }
 
 void print_table(const std::vector<LawRun>& runs) {

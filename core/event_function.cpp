@@ -28,6 +28,15 @@ class EventFunctionElement final : public ForceElement {
     if (event_.crossing == Crossing::both) g[1] = -value;
   }
 
+  bool events_settle() const override { return true; }
+  std::string signature() const override {
+    std::string text = fmt::format("{} {} {}", static_cast<int>(event_.crossing), event_.stop,
+                                   event_.action != nullptr);
+    for (const ParameterChange& c : event_.set)
+      text += fmt::format(" {}={:.17g}", c.parameter, c.value);
+    return text;
+  }
+
   void handle_event(int slot, EventContext& context) const override {
     const bool upwards =
         event_.crossing == Crossing::both ? slot == 0 : event_.crossing == Crossing::upwards;

@@ -63,6 +63,7 @@ void add_layout(Hash& hash, const Model& model) {
     hash.add(f->contacts());
     hash.add(f->events());
     hash.add(f->penetration_scale());
+    hash.add(f->signature());
   }
 }
 
@@ -88,6 +89,11 @@ void add_answers(Hash& hash, System& system, State& state) {
                          .z_dot = f.states > 0 ? block.data() + columns : nullptr,
                          .energy = &energy});
     hash.add(block.data(), block.size());
+    if (f.element->events() > 0) {
+      block.assign(static_cast<std::size_t>(f.element->events()), 0.0);
+      f.element->calc_events(system.force_input(f), block.data());
+      hash.add(block.data(), block.size());
+    }
     for (const double x :
          {energy.potential, energy.stored, energy.dissipated_power, energy.supplied_power})
       hash.add(x);

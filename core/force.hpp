@@ -134,6 +134,12 @@ class ForceElement {
   virtual int events() const { return 0; }
   virtual void calc_events(const ForceInput&, double* /*g*/) const {}
   virtual void handle_event(int /*slot*/, EventContext&) const {}
+  /// True if an event that was handled shall not fire again before its function has been negative;
+  /// false if the element itself sees to it, as contacts do by a margin.
+  virtual bool events_settle() const { return false; }
+  /// What tells this element from another of its kind besides what it answers to evaluate(); for
+  /// fingerprints of models.
+  virtual std::string signature() const { return {}; }
 
   virtual std::vector<Channel> channels() const { return {}; }
   virtual void calc_channels(const ForceInput&, double* /*values*/) const {}

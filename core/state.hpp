@@ -21,6 +21,10 @@ struct State {
   Eigen::VectorXd energy;  // [nquad] dissipated energy and work of each element that has them [J]
   std::vector<double> parameters;       // changeable parameters of all elements
   std::vector<ContactMemory> contacts;  // memory of all contacts
+  /// Slots of users' events that were handled at time handled_at: at a start from that very time
+  /// they are not met again, on whichever side of zero rounding has left them.
+  std::vector<int> handled;
+  double handled_at = 0.0;  // [s]
 };
 
 }  // namespace yoke

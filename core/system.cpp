@@ -278,6 +278,11 @@ void System::calc_events(double* g) const {
     if (f.element->events() > 0) f.element->calc_events(force_input(f), g + f.events);
 }
 
+void System::blame_event(int slot) {
+  for (const ForceSlot& f : forces_)
+    if (slot >= f.events && slot < f.events + f.element->events()) not_finite_ = f.element->name();
+}
+
 void System::blame_not_finite() {
   const auto finite = [](const double* values, int count) {
     return std::all_of(values, values + count, [](double x) { return std::isfinite(x); });

@@ -128,6 +128,8 @@ class System {
   /// its name for the report of a failed run. Off the hot path.
   void blame_not_finite();
   const std::string& not_finite() const { return not_finite_; }
+  /// The element that owns an event function which is not finite.
+  void blame_event(int slot);
 
   Scales scales() const { return scales_; }
   void set_scales(const Scales& scales) { scales_ = scales; }

@@ -175,7 +175,7 @@ void Arkode::start(const State& state) {
   t_stop_ = t_;  // not set yet
   std::copy_n(y(), size_, end_.begin());
   t_end_ = t_;
-  guard_.start(t_, state.q.data(), v_of(y()), z_of(y()));
+  guard_.start(state);
   if (memory_ == nullptr) {
     create(state);
   } else {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <boost/crc.hpp>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -52,6 +51,8 @@ void visit_state(S& s, Visit&& visit) {
   visit("energy", s.energy);
   visit("parameters", s.parameters);
   visit("contacts", s.contacts);
+  visit("handled", s.handled);
+  visit("handled_at", s.handled_at);
 }
 
 template <class S, class Visit>
@@ -123,6 +124,8 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("rows", c.rows);
   visit("columns", c.columns);
   visit("events", c.events);
+  visit("samples_checksum", c.samples_checksum);
+  visit("events_checksum", c.events_checksum);
 }
 
 struct Write {
@@ -215,8 +218,9 @@ using File = std::unique_ptr<std::FILE, Close>;
 void write_durably(const fs::path& path, const char* mode, const Bytes& bytes) {
   const File file(std::fopen(path.c_str(), mode));
   if (!file) fail_to_write(path);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() ||
-      std::fflush(file.get()) != 0 || fsync(fileno(file.get())) != 0)
+  const bool written =
+      bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  if (!written || std::fflush(file.get()) != 0 || fsync(fileno(file.get())) != 0)
     fail_to_write(path);
 }
 
@@ -289,6 +293,8 @@ CheckpointWriter::CheckpointWriter(fs::path folder, const Checkpoint* existing)
   if (existing != nullptr) {
     rows_ = existing->rows;
     events_ = existing->events;
+    samples_crc_.reset(existing->samples_checksum);
+    events_crc_.reset(existing->events_checksum);
     return;
   }
   std::error_code error;
@@ -307,6 +313,10 @@ void CheckpointWriter::write(Checkpoint& c, const Result& result) {
     const Bytes bytes = encode(result.events[i]);
     events.insert(events.end(), bytes.begin(), bytes.end());
   }
+  samples_crc_.process_bytes(samples.data(), samples.size());
+  events_crc_.process_bytes(events.data(), events.size());
+  c.samples_checksum = samples_crc_.get_interim_remainder();
+  c.events_checksum = events_crc_.get_interim_remainder();
   if (!samples.empty()) write_durably(folder_ / sample_file, "ab", samples);
   if (!events.empty()) write_durably(folder_ / event_file, "ab", events);
   rows_ = c.rows;
@@ -354,6 +364,17 @@ std::optional<Checkpoint> read_checkpoint(const fs::path& folder) {
   return c;
 }
 
+namespace {
+
+void check_interim(const fs::path& path, std::span<const std::uint8_t> bytes,
+                   std::uint32_t expected) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  if (crc.get_interim_remainder() != expected) refuse(path, "its checksum is wrong, it is damaged");
+}
+
+}  // namespace
+
 void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
   const fs::path samples = folder / sample_file, events = folder / event_file;
   if (c.columns != result.samples.names().size())
@@ -363,6 +384,7 @@ void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
   const std::size_t size = c.rows * c.columns * sizeof(double);
   if (rows.size() < size)
     refuse(samples, fmt::format("it is truncated: {} of {} bytes", rows.size(), size));
+  check_interim(samples, {rows.data(), size}, c.samples_checksum);
   for (std::size_t i = 0; i < c.rows; ++i)
     std::memcpy(result.samples.append(), rows.data() + i * c.columns * sizeof(double),
                 c.columns * sizeof(double));
@@ -376,9 +398,14 @@ void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
     const std::size_t length = left >= 4 ? take<std::uint32_t>(p) : left;
     if (left < 4 || left - 4 < length)
       refuse(events, fmt::format("it is truncated: event {} of {} is not whole", i + 1, c.events));
-    result.events.push_back(decode({p, length}));
+    try {
+      result.events.push_back(decode({p, length}));
+    } catch (const Json::exception& error) {
+      refuse(events, error.what());
+    }
     p += length;
   }
+  check_interim(events, {log.data(), p}, c.events_checksum);
   fs::resize_file(events, static_cast<std::uintmax_t>(p - log.data()));
 }
 

@@ -9,6 +9,7 @@
 //                    written after it and is cut off.
 #pragma once
 
+#include <boost/crc.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -46,6 +47,7 @@ struct Checkpoint {
   long window_events = 0;
   // How much of the two other files belongs to it.
   std::size_t rows = 0, columns = 0, events = 0;
+  std::uint32_t samples_checksum = 0, events_checksum = 0;
 };
 
 /// Writes checkpoints of one run.
@@ -61,6 +63,7 @@ class CheckpointWriter {
  private:
   std::filesystem::path folder_;
   std::size_t rows_ = 0, events_ = 0;
+  boost::crc_32_type samples_crc_, events_crc_;
 };
 
 /// The last checkpoint in `folder`, nothing if there is none. Throws ModelError, with the path and

@@ -191,7 +191,7 @@ void Cvode::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;
-  guard_.start(t_, state.q.data(), v_of(y()), z_of(y()));
+  guard_.start(state);
   if (memory_ == nullptr) {
     create(state);
     return;

@@ -27,11 +27,24 @@ void EventGuard::start(double t, const double* q, const double* v, const double*
   for (std::size_t i = 0; i < last_.size(); ++i) armed_[i] = last_[i] < 0.0 ? 1 : 0;
 }
 
+void EventGuard::start(const State& state) {
+  start(state.t, state.q.data(), state.v.data(), state.z.data());
+  settle(state, state.t);
+}
+
+void EventGuard::settle(const State& state, double t) {
+  if (state.handled_at != t) return;
+  for (const int i : state.handled) armed_[static_cast<std::size_t>(i)] = 0;
+}
+
 bool EventGuard::evaluate(double t, const double* q, const double* v, const double* z, double* g) {
   calc(t, q, v, z, seen_.data());
   t_seen_ = t;
   for (std::size_t i = 0; i < last_.size(); ++i) {
-    if (!std::isfinite(seen_[i])) return false;
+    if (!std::isfinite(seen_[i])) {
+      dynamics_.system().blame_event(static_cast<int>(i));
+      return false;
+    }
     g[i] = armed_[i] == 0 ? -1.0 : seen_[i];
   }
   return true;

@@ -19,7 +19,10 @@ class EventGuard {
 
   int count() const { return static_cast<int>(last_.size()); }
   /// At a restart: arms the functions that are negative.
+  void start(const State& state);
   void start(double t, const double* q, const double* v, const double* z);
+  /// Hides the events that were handled at this very time.
+  void settle(const State& state, double t);
   /// For the root finder. False if a function is not finite.
   bool evaluate(double t, const double* q, const double* v, const double* z, double* g);
   /// After an accepted step without event: arms what has become negative.

@@ -146,7 +146,7 @@ void GeneralisedAlpha::start(const State& state) {
   std::copy_n(state.energy.data(), quadratures_, end_.energy.begin());
   choose_allowed();
   for (int i = 0; i < n_; ++i) rounding_[at(i)] = rounding(i);
-  guard_.start(t_, state.q.data(), end_.v.data(), end_.z.data());
+  guard_.start(state);
   if (guard_.count() > 0)
     guard_.evaluate(t_, state.q.data(), end_.v.data(), end_.z.data(), g_from_.data());
   started_ = false;

@@ -195,7 +195,7 @@ void Ida::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;
-  guard_.start(t_, state.q.data(), y() + n_, y() + 2 * n_);
+  guard_.start(state);
   if (memory_ == nullptr) {
     create(state);
     return;

@@ -3,6 +3,7 @@
 #include <yoke/integrators/simulate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <chrono>
 #include <cmath>
@@ -88,7 +89,8 @@ class Run {
   EventContext context_of(const ForceSlot& slot);
   bool too_many_events();
   bool stalls(double t);
-  std::string blame() const;
+  std::string where_to_look();
+  std::string blame();
   Cost cost() const;
   void finish();
   void summarise();
@@ -122,6 +124,7 @@ class Run {
   std::vector<double> event_values_;
   std::vector<ContactMemory> contacts_before_;
   double t_last_ = 0.0;
+  std::array<double, 3> last_steps_{};  // [s]
   int stalled_steps_ = 0;
   bool stopped_ = false;
   bool parameters_changed_ = false;  // by the events being handled
@@ -471,6 +474,8 @@ bool Run::handle_events(double t) {
   }
   contacts_before_ = state_.contacts;
   parameters_changed_ = false;
+  state_.handled.clear();
+  state_.handled_at = state_.t;
   for (const int fired : fired_) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
       if (fired < slot.events || fired >= slot.events + slot.element->events()) continue;
@@ -513,6 +518,7 @@ bool Run::handle_events(double t) {
 }
 
 void Run::handle_event(const ForceSlot& slot, int event) {
+  if (slot.element->events_settle()) state_.handled.push_back(slot.events + event);
   EventContext context = context_of(slot);
   const EnergyTerms before = dynamics_.system().calc_energy();
   slot.element->handle_event(event, context);
@@ -529,8 +535,41 @@ bool Run::stalls(double t) {
   return stalled_steps_ > max_stalled_steps;
 }
 
+/// What moves most violently at the last good state, and the steps on the way there: where to look.
+std::string Run::where_to_look() {
+  std::string text = fmt::format("; last steps {:.1e}, {:.1e}, {:.1e} s", last_steps_[0],
+                                 last_steps_[1], last_steps_[2]);
+  State& there = sample_;
+  if (result_.summary.t_end > state_.t)
+    formulation_->interpolate(result_.summary.t_end, there);
+  else
+    there = state_;
+  there.contacts = state_.contacts;
+  there.parameters = state_.parameters;
+  if (!there.q.allFinite() || !dynamics_.calc_accelerations(there)) return text;
+  const Scales scales = dynamics_.system().scales();
+  Eigen::Index most = 0;
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < there.a.size(); ++i) {
+    const double size = std::abs(there.a[i]) / (i % 3 == 2 ? 1.0 : scales.length);
+    if (size > largest) {
+      largest = size;
+      most = i;
+    }
+  }
+  const auto& body = dynamics_.system().model().bodies()[static_cast<std::size_t>(most / 3) + 1];
+  text += fmt::format("; the largest acceleration is that of '{}', {:.2g} {}", body.name,
+                      there.a[most], most % 3 == 2 ? "rad/s^2" : "m/s^2");
+  if (dynamics_.system().rows() > 0) {
+    dynamics_.position_violation(there);
+    text += fmt::format("; the equation violated most is '{}'",
+                        dynamics_.system().equation_name(dynamics_.worst_row()));
+  }
+  return text;
+}
+
 /// Who is to blame for a step that fails, and what to try.
-std::string Run::blame() const {
+std::string Run::blame() {
   const std::string& culprit = dynamics_.system().not_finite();
   if (!culprit.empty())
     return fmt::format(": '{}' gives a value that is not finite there", culprit);
@@ -541,8 +580,8 @@ std::string Run::blame() const {
                         result_.events.back().element, result_.events.back().t);
   return fmt::format(
       ": a force or driver has no limit there, or the tolerance is too tight{}; try "
-      "a looser tolerance or another formulation",
-      last);
+      "a looser tolerance or another formulation{}",
+      last, where_to_look());
 }
 
 bool Run::advance() {
@@ -559,6 +598,8 @@ bool Run::advance() {
     stop(Stop::failed, fmt::format("the step size has run to zero at t = {:.9g} s{}", t, blame()));
     return false;
   }
+  std::ranges::rotate(last_steps_, last_steps_.begin() + 1);
+  last_steps_.back() = formulation_->last_step();
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
   result_.summary.t_end = t;

@@ -287,6 +287,7 @@ void SingularCrossing::begin_crossing() {
   gauss_.project(t_, segment_.end.data(), 0.0, m);  // at a singular start it is already
   guard_.start(t_, segment_.end.data(), segment_.end.data() + dynamics_.system().dofs(),
                segment_.end.data() + 2 * dynamics_.system().dofs());
+  guard_.settle(here_, t_);
   m_entry_ = m_last_ = m_;
   kinetic_entry_ = 0.0;
   energy_entry_ = energy(t_, segment_.end.data());

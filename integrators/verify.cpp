@@ -86,6 +86,13 @@ Verification verify(const Model& model, const State& start, const SimulationOpti
                     const Result& result) {
   if (!result.summary.ok() || result.samples.rows() == 0)
     throw ModelError("verification: the run must have completed and have samples");
+  if (options.until != result.summary.t_asked ||
+      options.relative_tolerance != result.summary.relative_tolerance)
+    throw ModelError(
+        fmt::format("verification: the run was until {:g} s at a tolerance of {:g}, the options "
+                    "say {:g} s and {:g}",
+                    result.summary.t_asked, result.summary.relative_tolerance, options.until,
+                    options.relative_tolerance));
   SimulationOptions second = options;
   second.checkpoints = {};
   second.formulation = counterpart(result.summary.formulation);

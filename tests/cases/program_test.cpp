@@ -262,6 +262,16 @@ TEST_SUITE("program") {
     CHECK(contains(nothing.out, "there is no 'nowhere/run.json'"));
   }
 
+  TEST_CASE("every case verifies and writes checkpoints") {
+    const Scratch scratch;
+    CHECK(yoke(scratch, "run point_pendulum --verify --checkpoint 0.5s --no-plots -o out").code ==
+          0);
+    const auto summary = nlohmann::json::parse(content(scratch.path / "out/summary.json"));
+    CHECK(summary.at("verification").at("digits").size() > 10);
+    CHECK(fs::exists(scratch.path / "out/checkpoint/checkpoint.bin"));
+    CHECK(yoke(scratch, "resume out").code == 0);
+  }
+
   TEST_CASE("--verify writes how many digits of each quantity agree") {
     const Scratch scratch;
     const Outcome outcome =

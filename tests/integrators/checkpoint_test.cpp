@@ -10,6 +10,7 @@
 
 #include <yoke/cases/n_four_bar.hpp>
 #include <yoke/core/event_function.hpp>
+#include <yoke/core/fingerprint.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {
@@ -195,6 +196,18 @@ TEST_CASE(
   CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("version 99"), ModelError);
 
   put_back(bytes);
+  for (const char* name : {"samples.bin", "events.bin"}) {
+    std::fstream log(folder.path / name, std::ios::in | std::ios::out | std::ios::binary);
+    log.seekg(37);
+    const auto byte = static_cast<char>(log.get());
+    log.seekp(37);
+    log.put(static_cast<char>(byte ^ 4));
+    log.close();
+    CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("is refused"), ModelError);
+    std::fstream again(folder.path / name, std::ios::in | std::ios::out | std::ios::binary);
+    again.seekp(37);
+    again.put(byte);
+  }
   cut(folder.path / "events.bin", 3);
   CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("truncated: event"),
                        ModelError);
@@ -205,4 +218,19 @@ TEST_CASE(
 
 TEST_CASE("checkpoints that cannot be written stop the run with what there is") {
   CHECK_THROWS_AS(simulate(rattling_yoke(), options("/proc/no such folder")), OutputError);
+}
+
+TEST_CASE("a model whose event differs has another fingerprint") {
+  const auto with = [](EventFunction event) {
+    Model m = rattling_yoke();
+    if (!event.function) event.function = [](const Motion& at) { return at.t - 0.05; };
+    m.add(event);
+    return fingerprint(m);
+  };
+  const std::uint64_t plain = with({.name = "event"});
+  CHECK(plain == with({.name = "event"}));
+  CHECK(plain != with({.name = "event", .stop = true}));
+  CHECK(plain != with({.name = "event", .crossing = Crossing::upwards}));
+  CHECK(plain != with({.name = "event", .action = [](const EventAction&) {}}));
+  CHECK(plain != with({.name = "event", .function = [](const Motion& at) { return at.t - 0.03; }}));
 }

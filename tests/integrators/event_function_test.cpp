@@ -140,3 +140,58 @@ TEST_CASE("a wrong event is refused before the run, one that throws ends it with
   CHECK(lost.summary.stop == Stop::failed);
   CHECK(lost.final.q.allFinite());
 }
+
+TEST_CASE("an event fires once at a crossing, on whichever side rounding leaves the state") {
+  // The stiffness changes at every passage of x = 1; with the wrong number of changes the motion is
+  // another. Half periods alternate between both stiffnesses.
+  for (const FormulationNote& f : formulations()) {
+    for (const double rtol : {1e-6, 1e-8, 1e-10}) {
+      if (f.order <= 2 && rtol < 1e-8) continue;
+      INFO(f.name, " ", rtol);
+      Model m = oscillator();
+      m.add(EventFunction{
+          .name = "toggle", .function = position_minus(1.0), .action = [](const EventAction& a) {
+            double& k = a.parameter("spring.stiffness");
+            k = k == stiffness ? 4.0 * stiffness : stiffness;
+          }});
+      const double half = pi / omega;
+      const Result run = simulate(
+          m, {.until = 3.9 * half, .relative_tolerance = rtol, .formulation = std::string(f.name)});
+      REQUIRE(run.summary.ok());
+      // A quarter, then halves of 1/2, 1, 1/2, 1 half periods.
+      CHECK(run.events.size() == 5);
+      for (std::size_t i = 1; i < run.events.size(); ++i)
+        CHECK(run.events[i].t - run.events[i - 1].t > 0.4 * half);
+    }
+  }
+}
+
+TEST_CASE("a run that an event has ended goes on from there without meeting it again") {
+  for (const FormulationNote& f : formulations()) {
+    for (int i = 0; i < 12; ++i) {
+      INFO(f.name, " ", i);
+      const double x = 1.0 + amplitude * (0.013 + 0.07 * i);
+      Model m = oscillator();
+      m.add(EventFunction{.name = "gate", .function = position_minus(x), .stop = true});
+      const Result first = simulate(m, options(f.name, 1.0));
+      REQUIRE(first.summary.stop == Stop::by_event);
+      const Result second = simulate(m, first.final, options(f.name, 2.0));
+      REQUIRE(second.summary.stop == Stop::by_event);
+      CHECK(second.summary.t_end > first.summary.t_end + 0.1);
+    }
+  }
+}
+
+TEST_CASE("an event function that is not a number is named") {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model m = oscillator();
+    m.add(EventFunction{.name = "lost", .function = [](const Motion& at) {
+                          return at.t > 0.3 ? std::nan("") : 1.0;
+                        }});
+    const Result run = simulate(m, options(f.name, 1.0));
+    CHECK(run.summary.stop == Stop::failed);
+    INFO(run.summary.reason);
+    CHECK(run.summary.reason.find("'lost' gives a value that is not finite") != std::string::npos);
+  }
+}

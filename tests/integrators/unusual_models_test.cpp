@@ -341,6 +341,8 @@ TEST_CASE("a driver that stops being a number ends the run by name, with results
                                  {.until = 1.0, .formulation = formulation});
     CHECK(root.summary.stop == Stop::failed);
     CHECK(root.summary.t_end == doctest::Approx(0.5).epsilon(1e-3));
+    CHECK((contains(root.summary.reason, "last steps ") ||
+           contains(root.summary.reason, "gives a value that is not finite")));
   }
 }
 
