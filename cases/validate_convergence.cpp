@@ -107,7 +107,7 @@ std::string convergence_document() {
   const Result other = run(b, "ida-ggl", 1e-12);
   Document doc;
   doc.print(
-      "# Convergence of the two integrators\n\n"
+      "# Convergence of the formulations\n\n"
       "Printed by `yoke validate convergence`. The scotch-yoke with its defaults and {} over "
       "2 revolutions; differences are the largest over 1001 samples to a run of "
       "arkode-projection at rtol {:.0e}. A train of bounces amplifies errors, see below, and "
