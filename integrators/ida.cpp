@@ -216,12 +216,12 @@ Step Ida::step(double t_stop) {
     IDAGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
-  if (flag != IDA_ROOT_RETURN) refresh_matrix();
   if (flag == IDA_ROOT_RETURN) {
     IDAGetRootInfo(memory_, found_.data());
     guard_.collect(t_, absolute(y()), y() + n_, y() + 2 * n_, found_);
     return Step::event;
   }
+  refresh_matrix();
   guard_.accept(t_, absolute(y()), y() + n_, y() + 2 * n_);
   return Step::advanced;
 }
@@ -229,8 +229,7 @@ Step Ida::step(double t_stop) {
 // IDA keeps its matrix as long as Newton's iteration converges, and judges that by a rate it may
 // have measured long ago: at a constant step it accepts the first iterate for ever, whose error
 // grows with the distance to where the matrix was made. The error estimates of high order see that
-// as noise and the order falls. So the matrix is made anew behind IDA's back, for the same step; at
-// a tolerance of 1e-13 that halves the steps of a double pendulum.
+// as noise and the order falls. So the matrix is made anew behind IDA's back, for the same step.
 void Ida::refresh_matrix() {
   if (++steps_with_matrix_ < steps_per_matrix) return;
   equations_.calc_jacobian(t_, shift_, absolute(y()), y_dot());
