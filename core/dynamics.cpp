@@ -187,17 +187,19 @@ bool Dynamics::improve_position(double* q) {
   return true;
 }
 
-bool Dynamics::project_positions(double t, double* q, bool to_rounding) {
+bool Dynamics::project_positions(double t, double* q, Correction how) {
   const double tolerance = position_tolerance(q);
   double last = std::numeric_limits<double>::infinity();
+  corrected_ = last;
   for (int iteration = 0; iteration < max_projection_iterations; ++iteration) {
     system_.set_motion(t, q, zero_.data());
     system_.calc_position_level(phi_.data());
     const double norm = system_.norm(phi_.data(), &worst_row_);
     worst_residual_ = system_.rows() > 0 ? phi_[at(worst_row_)] : 0.0;
+    const bool enough = norm <= tolerance &&
+                        (how == Correction::coarse || (how == Correction::smooth && iteration > 0));
     // Newton squares the error; where it stops doing so, rounding is all that is left.
-    if (norm <= (to_rounding ? 0.0 : tolerance) || (norm < 1e3 * tolerance && norm > 0.5 * last))
-      return true;
+    if (enough || norm == 0.0 || (norm < 1e3 * tolerance && norm > 0.5 * last)) return true;
     if (!std::isfinite(norm)) return false;
     last = norm;
     if (!same_as_factorised(t, q)) {
@@ -205,29 +207,37 @@ bool Dynamics::project_positions(double t, double* q, bool to_rounding) {
       if (!factorise_at(t, q)) return false;
     }
     if (!improve_position(q)) return false;
+    corrected_ = norm;
   }
   return false;
 }
 
 bool Dynamics::project_velocities(double t, const double* q, double* v) {
   system_.set_motion(t, q, v);
-  if (!same_as_factorised(t, q)) system_.calc_position_level(phi_.data());
-  return improve_velocity(t, q, v);
-}
-
-bool Dynamics::project(double t, double* q, double* v) {
-  if (!project_positions(t, q)) return false;
-  system_.set_motion(t, q, v);
-  return improve_velocity(t, q, v);
-}
-
-// At the motion set, with the blocks of G there.
-bool Dynamics::improve_velocity(double t, const double* q, double* v) {
-  const int n = system_.dofs();
   if (!same_as_factorised(t, q)) {
+    system_.calc_position_level(phi_.data());
     for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
     if (!factorise_at(t, q)) return false;
   }
+  return improve_velocity(v);
+}
+
+bool Dynamics::project(double t, double* q, double* v, Correction how) {
+  if (!project_positions(t, q, how)) return false;
+  system_.set_motion(t, q, v);
+  // The factors are those of the position before the last correction. If that was within rounding
+  // of this one they serve as well.
+  const bool serve = how == Correction::smooth && corrected_ <= 1e3 * position_tolerance(q);
+  if (!serve && !same_as_factorised(t, q)) {
+    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+    if (!factorise_at(t, q)) return false;
+  }
+  return improve_velocity(v);
+}
+
+// At the motion set, with the factors there are.
+bool Dynamics::improve_velocity(double* v) {
+  const int n = system_.dofs();
   system_.calc_velocity_residual(residual_.data());
   std::fill_n(b_.begin(), n, 0.0);
   for (int i = 0; i < system_.rows(); ++i)

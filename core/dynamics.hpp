@@ -37,6 +37,13 @@ struct Baumgarte {
   double beta = 0.0;   // [1/s]
 };
 
+/// How much of a violation a projection corrects.
+enum class Correction {
+  coarse,  ///< nothing within rounding of the largest coordinate; costs least
+  smooth,  ///< at least one correction: a method with a history would see one that comes and goes
+  exact,   ///< until nothing is gained any more
+};
+
 class Dynamics {
  public:
   explicit Dynamics(const Model& model);
@@ -55,13 +62,12 @@ class Dynamics {
   /// The same for a State: fills a and lambda.
   bool calc_accelerations(State& state);
 
-  /// Moves q to the nearest position on the constraints; `to_rounding`: until nothing is gained any
-  /// more. False: no convergence (see worst_row()).
-  bool project_positions(double t, double* q, bool to_rounding = false);
+  /// Moves q to the nearest position on the constraints. False: no convergence (see worst_row()).
+  bool project_positions(double t, double* q, Correction how = Correction::coarse);
   /// Moves v to the nearest velocity allowed at q, which must be projected already.
   bool project_velocities(double t, const double* q, double* v);
   /// Both.
-  bool project(double t, double* q, double* v);
+  bool project(double t, double* q, double* v, Correction how = Correction::coarse);
   /// Both, and accelerations and multipliers. At a singular position accelerations are a solution
   /// and multipliers those of least norm, neither the limit from beside it.
   bool project(State& state);
@@ -116,7 +122,7 @@ class Dynamics {
   void stamp(std::size_t constraint);
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
-  bool improve_velocity(double t, const double* q, double* v);
+  bool improve_velocity(double* v);
   bool same_as_factorised(double t, const double* q) const;
   Outcome assemble_from_afar(State& state);
   Outcome settle_redundancy(State& state);
@@ -143,6 +149,7 @@ class Dynamics {
   std::vector<double> row_size_, weakest_;  // for independence()
   int weakest_row_ = 0;
   int worst_row_ = 0;
+  double corrected_ = 0.0;  // violation that the last correction of a position was for, or infinity
   double worst_residual_ = 0.0;
   long evaluations_ = 0;
 };

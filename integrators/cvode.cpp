@@ -324,7 +324,7 @@ int Cvode::project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, 
 bool Cvode::project(double t, const double* y, double* correction) {
   double* q = q_of(y);
   std::copy_n(y + n_, n_, v_.begin());
-  if (!dynamics_.project(t, q, v_.data())) {
+  if (!dynamics_.project(t, q, v_.data(), Correction::smooth)) {
     failure_.text =
         fmt::format("positions cannot be projected on the constraints; worst equation '{}'",
                     dynamics_.system().equation_name(dynamics_.worst_row()));

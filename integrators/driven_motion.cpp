@@ -117,7 +117,7 @@ bool DrivenMotion::solve_near(const State& from, double t, State& state) {
   const double move = distance(predicted_, from.q);
   if (move > largest_move) return false;
   dynamics_.system().bind(state);
-  const bool regular = dynamics_.project_positions(t, state.q.data(), true) &&
+  const bool regular = dynamics_.project_positions(t, state.q.data(), Correction::exact) &&
                        dynamics_.project_velocities(t, state.q.data(), state.v.data()) &&
                        dynamics_.calc_accelerations(state);
   if (!regular) {  // a singular position may have been hit exactly

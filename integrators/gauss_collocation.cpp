@@ -76,7 +76,7 @@ double GaussCollocation::distance(const double* a, const double* b) const {
 
 GaussCollocation::Outcome GaussCollocation::project(double t, double* y, double too_close,
                                                     double& independence) {
-  if (!dynamics_.project_positions(t, y, true)) return Outcome::diverged;
+  if (!dynamics_.project_positions(t, y, Correction::exact)) return Outcome::diverged;
   const double here = dynamics_.independence(t, y);
   independence = std::min(independence, here);
   if (here < too_close) return Outcome::close;

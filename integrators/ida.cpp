@@ -15,6 +15,7 @@
 #include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/event_guard.hpp>
 #include <yoke/integrators/ida.hpp>
+#include <yoke/integrators/ida_step_control.hpp>
 #include <yoke/integrators/sundials_vector.hpp>
 
 #include <algorithm>
@@ -24,7 +25,11 @@ namespace yoke {
 
 namespace {
 
-constexpr int steps_per_matrix = 10;
+constexpr int steps_per_matrix = 3;
+constexpr double step_change = 0.02;      // of dR/dy' that asks for a new matrix
+constexpr double probe = 50.0;            // changes of y, in tolerances, that show y''
+constexpr double first_error = 0.01;      // of the first step, in tolerances
+constexpr double longest_first = 1000.0;  // the same, in times of the probe
 constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Newton's convergence
 
 class Ida final : public Formulation {
@@ -59,6 +64,7 @@ class Ida final : public Formulation {
   void set_weights();
   void pack(const State& state);
   void refresh_matrix();
+  double first_step();
 
   /// y with positions for displacements, in scratch.
   const double* absolute(const double* y);
@@ -76,15 +82,17 @@ class Ida final : public Formulation {
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
   N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
+  N_Vector scratch_ = nullptr;
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
   int steps_with_matrix_ = 0;
+  IdaStepControl control_;
   std::vector<double> q_start_, absolute_;
   double t_ = 0.0;
   double t_stop_ = 0.0;
   std::vector<int> found_;
   StepCounters before_;
-  long residuals_ = 0;  // never reset
+  long residuals_ = 0, matrices_ = 0;  // never reset
   CallbackFailure failure_;
 };
 
@@ -103,6 +111,7 @@ Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEq
   y_ = new_vector(size_, context_);
   y_dot_ = N_VClone(y_);
   weights_ = N_VClone(y_);
+  scratch_ = N_VClone(y_);
   power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
@@ -117,7 +126,7 @@ Ida::~Ida() {
   if (memory_ != nullptr) IDAFree(&memory_);
   SUNLinSolFreeEmpty(solver_);
   SUNMatFreeEmpty(matrix_);
-  for (N_Vector vector : {y_, y_dot_, weights_}) N_VDestroy(vector);
+  for (N_Vector vector : {y_, y_dot_, weights_, scratch_}) N_VDestroy(vector);
   SUNContext_Free(&context_);
 }
 
@@ -167,7 +176,8 @@ void Ida::pack(const State& state) {
   std::copy_n(state.energy.data(), quadratures_, y() + equations_.size());
   // The accelerations of the state belong to the contacts before an event; ask again.
   dynamics_.calc_accelerations(state.t, state.q.data(), y() + n_, y() + 2 * n_, a_.data(),
-                               lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr, nullptr);
+                               lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr,
+                               quadratures_ > 0 ? y_dot() + equations_.size() : nullptr);
   std::copy(a_.begin(), a_.end(), y_dot() + equations_.v());
   std::copy(lambda_.begin(), lambda_.end(), y() + equations_.lambda());
 }
@@ -181,6 +191,7 @@ void Ida::create(const State& state) {
   IDAWFtolerances(memory_, &Ida::weights);
   IDASetLinearSolver(memory_, solver_, matrix_);
   IDASetJacFn(memory_, &Ida::jacobian);
+  IDASetDeltaCjLSetup(memory_, step_change);
   IDASetMaxErrTestFails(memory_, 30);
   IDASetMaxConvFails(memory_, 30);
   if (guard_.count() > 0) {
@@ -198,15 +209,49 @@ void Ida::start(const State& state) {
   guard_.start(state);
   if (memory_ == nullptr) {
     create(state);
-    return;
+  } else {
+    before_ = counters();
+    before_.factors = {};  // these are never reset
+    IDAReInit(memory_, state.t, y_, y_dot_);
+    set_weights();
   }
-  before_ = counters();
-  before_.factors = {};  // these are never reset
-  IDAReInit(memory_, state.t, y_, y_dot_);
-  set_weights();
+  IDASetInitStep(memory_, first_step());
+  control_.start(memory_);
+}
+
+// A first step of order 1 whose error, y'' h^2 / 2, is a small part of the tolerance. IDA's own is
+// so much shorter that rounding rules its first error estimates and the order does not rise. y'' is
+// seen a little ahead, as in Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
+// II.4. 0: IDA's own.
+double Ida::first_step() {
+  const double rate = N_VWrmsNorm(y_dot_, weights_);
+  if (!(rate > 0.0)) return 0.0;
+  const double d = probe / rate;
+  absolute(y());
+  for (int i = 0; i < equations_.lambda(); ++i)
+    absolute_[static_cast<std::size_t>(i)] += d * y_dot()[i];
+  N_VConst(0.0, scratch_);
+  double* change = NV_DATA_S(scratch_);
+  const double* at = absolute_.data();
+  const int found = failure_.guard([&] {
+    return dynamics_.calc_accelerations(t_ + d, at, at + n_, at + 2 * n_, change + n_,
+                                        lambda_.data(), nz_ > 0 ? change + 2 * n_ : nullptr,
+                                        quadratures_ > 0 ? change + equations_.size() : nullptr)
+               ? 0
+               : 1;
+  });
+  if (found != 0) {
+    failure_.text.clear();
+    return 0.0;
+  }
+  for (int i = n_; i < size_; ++i) change[i] = (change[i] - y_dot()[i]) / d;
+  std::copy_n(y_dot() + n_, n_, change);
+  const double curvature = N_VWrmsNorm(scratch_, weights_), longest = longest_first * d;
+  return std::min(longest, std::sqrt(2.0 * first_error / curvature));  // infinity if straight
 }
 
 Step Ida::step(double t_stop) {
+  t_stop = std::min(t_stop, control_.limit());
   if (t_stop != t_stop_) {
     IDASetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
@@ -222,6 +267,7 @@ Step Ida::step(double t_stop) {
     return Step::event;
   }
   refresh_matrix();
+  control_.accept(memory_, t_, weights_, scratch_);
   guard_.accept(t_, absolute(y()), y() + n_, y() + 2 * n_);
   return Step::advanced;
 }
@@ -229,11 +275,13 @@ Step Ida::step(double t_stop) {
 // IDA keeps its matrix as long as Newton's iteration converges, and judges that by a rate it may
 // have measured long ago: at a constant step it accepts the first iterate for ever, whose error
 // grows with the distance to where the matrix was made. The error estimates of high order see that
-// as noise and the order falls. So the matrix is made anew behind IDA's back, for the same step.
+// as noise and the order falls. So the matrix is made anew behind IDA's back, for the same step;
+// for the same reason a small change of the step asks for one.
 void Ida::refresh_matrix() {
   if (++steps_with_matrix_ < steps_per_matrix) return;
   equations_.calc_jacobian(t_, shift_, absolute(y()), y_dot());
   equations_.factorise();
+  ++matrices_;
   steps_with_matrix_ = 0;
 }
 
@@ -256,15 +304,14 @@ StepCounters Ida::counters() const {
   StepCounters total = before_;
   total.factors = equations_.counters();
   total.evaluations = residuals_;
+  total.jacobians = matrices_;
   if (memory_ == nullptr) return total;
-  long steps = 0, errors = 0, newton = 0, jacobians = 0;
+  long steps = 0, errors = 0, newton = 0;
   IDAGetNumSteps(memory_, &steps);
   IDAGetNumErrTestFails(memory_, &errors);
   IDAGetNumStepSolveFails(memory_, &newton);
-  IDAGetNumJacEvals(memory_, &jacobians);
   total.steps += steps;
   total.rejected += errors + newton;
-  total.jacobians += jacobians;
   return total;
 }
 
@@ -297,6 +344,7 @@ int Ida::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Ve
   return me.failure_.guard([&] {
     me.shift_ = c;
     me.steps_with_matrix_ = 0;
+    ++me.matrices_;
     me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot));
     return 0;
   });

@@ -136,7 +136,8 @@ TEST_CASE("a conservative impact gives the speed back") {
                    {.until = 0.01, .relative_tolerance = 1e-13, .formulation = formulation});
       REQUIRE(run.summary.ok());
       REQUIRE(run.events.size() == 2);
-      const double bar = formulation == "cvode-projection" ? 1e-9 : 1e-10;
+      // BDF keeps each of its 300 to 600 steps to the tolerance, and what they leave adds up.
+      const double bar = formulation == "arkode-projection" ? 1e-10 : 1e-9;
       CHECK(std::abs(run.events[1].speed / run.events[0].speed + 1.0) < bar);
     }
   }
@@ -254,6 +255,7 @@ TEST_CASE("a ball hardly damped goes on bouncing without an end and without a pi
     CHECK(count(run, "onset") > static_cast<long>(0.95 / flight));
     CHECK(count(run, "onset") < static_cast<long>(1.05 / flight) + 1);
     CHECK(run["ball.y_m"].maxCoeff() < 1e-3 * (1.0 + 1e-5));
+    // In 70 impacts; BDF loses 3e-7 in one.
     const double bar = formulation == "cvode-projection" ? 3e-5 : 1e-5;
     CHECK(run.summary.energy_balance < bar * run.summary.energy_exchanged);
   }

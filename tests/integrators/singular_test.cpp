@@ -177,6 +177,21 @@ TEST_CASE("a run can start exactly at a singular position; the velocities choose
   }
 }
 
+TEST_CASE("behind a singular position BDF takes steps of high order again") {
+  // Once at order 1 it would stay there, with 200 000 steps in a second.
+  for (const double rtol : {1e-8, 1e-9, 1e-10}) {
+    for (const char* formulation : {"ida-ggl", "ida-baumgarte", "cvode-projection"}) {
+      INFO(formulation, " ", rtol);
+      const Result run =
+          simulate(cases::n_four_bar({.loops = 40}),
+                   {.until = 1.2, .relative_tolerance = rtol, .formulation = formulation});
+      REQUIRE(run.summary.ok());
+      CHECK(run.summary.singular_positions.size() == 1);
+      CHECK(run.summary.steps < 1500);
+    }
+  }
+}
+
 TEST_CASE("a slider-crank with equal crank and rod goes on as a slider-crank through the pivot") {
   for (const FormulationNote& formulation : formulations()) {
     for (const double start : {1.2, pi / 2.0}) {
@@ -263,7 +278,7 @@ TEST_CASE("a double rocker turns round at its dead positions, which are not sing
     CHECK(angle.maxCoeff() < limit + 1e-6);
     CHECK(angle.maxCoeff() > limit - 0.01);
     CHECK(angle.minCoeff() > -limit - 1e-6);
-    CHECK(run.summary.energy_balance < 3e-6 * run["kinetic_J"](0));
+    CHECK(run.summary.energy_balance < 1e-6 * run["kinetic_J"](0));
   }
 }
 

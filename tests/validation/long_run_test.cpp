@@ -66,7 +66,6 @@ TEST_CASE("100 revolutions with projection stay on the constraints at any tolera
 }
 
 TEST_CASE("100 revolutions with the stabilised index-2 form stay on the constraints at 1e-11") {
-  // A minute: after many turns rounding of the crank's angle keeps the steps of BDF short.
   const Summary s = turn(mechanism("fixed"), "ida-ggl", 1e-11, 100);
   CHECK(s.position_drift < position_limit);
   CHECK(s.velocity_drift < velocity_limit);
