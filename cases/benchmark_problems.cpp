@@ -349,7 +349,8 @@ std::vector<double> usual_tolerances(std::string_view formulation) {
     if (f.name != formulation) continue;
     // A second-order method takes ten times the steps for a hundredth of the error.
     if (f.order <= 2) return {1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
-    if (f.family == "BDF") return {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
+    if (f.family == "BDF" || f.family == "Adams")
+      return {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
   }
   return {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
 }

@@ -12,6 +12,7 @@ namespace yoke {
 
 struct CallbackFailure {
   std::string text;
+  bool thrown = false;
 
   /// Runs a callback; an exception becomes an unrecoverable failure with its message.
   template <class F>
@@ -20,6 +21,7 @@ struct CallbackFailure {
       return callback();
     } catch (const std::exception& error) {
       text = error.what();
+      thrown = true;
       return -1;
     }
   }

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// BDF of variable order and step (SUNDIALS CVODES) on the accelerations of the saddle system,
-// y = (q, v, z, energies), for stiff contacts. SUNDIALS' own projection puts positions and
-// velocities back on the constraints at every step. Newton's matrix I - g J would be dense, as an
+// Multistep methods of variable order and step (SUNDIALS CVODES) on the accelerations of the saddle
+// system, y = (q, v, z, energies).
+//
+// Adams, for long smooth motions at tight tolerances: no matrix, fixed-point iteration. SUNDIALS
+// has no projection for it, so accelerations are stabilised after Baumgarte.
+//
+// BDF, for stiff contacts: SUNDIALS' own projection puts positions and velocities back on the
+// constraints at every step. Newton's matrix I - g J would be dense, as an
 // acceleration depends on all bodies; with the multipliers as further unknowns the same step is
 // sparse (acceleration_matrix.hpp, c = 1/g):
 //
@@ -20,6 +25,7 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <yoke/integrators/acceleration_matrix.hpp>
 #include <yoke/integrators/callback_failure.hpp>
@@ -29,14 +35,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace yoke {
 
 namespace {
 
+enum class Method { bdf_projection, adams_baumgarte };
+
 class Cvode final : public Formulation {
  public:
-  Cvode(Dynamics& dynamics, const Tolerances& tolerances);
+  Cvode(Dynamics& dynamics, const Tolerances& tolerances, Method method);
   ~Cvode() override;
 
   void start(const State& state) override;
@@ -69,6 +78,8 @@ class Cvode final : public Formulation {
   bool project(double t, const double* y, double* correction);
   void create_matrix_and_solver();
   void create(const State& state);
+  void attach_newton();
+  void attach_fixed_point();
   void set_weights();
   void pack(const State& state);
 
@@ -80,13 +91,15 @@ class Cvode final : public Formulation {
 
   Dynamics& dynamics_;
   Tolerances tolerances_;
-  AccelerationMatrix equations_;
+  std::optional<AccelerationMatrix> equations_;  // BDF's
+  std::optional<Baumgarte> stabilisation_;       // that of Adams
   EventGuard guard_;
   int n_, nz_, quadratures_, size_;
   SUNContext context_ = nullptr;
   void* memory_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
+  SUNNonlinearSolver fixed_point_ = nullptr;
   N_Vector y_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
   std::vector<double> q_start_, q_, v_, a_, lambda_, x_;
   std::vector<double> G_;  // blocks at the point of the matrix
@@ -98,10 +111,9 @@ class Cvode final : public Formulation {
   CallbackFailure failure_;
 };
 
-Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances)
+Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances, Method method)
     : dynamics_(dynamics),
       tolerances_(tolerances),
-      equations_(dynamics.system()),
       guard_(dynamics),
       n_(dynamics.system().dofs()),
       nz_(dynamics.system().states()),
@@ -114,16 +126,25 @@ Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances)
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   q_ = v_ = a_ = q_start_;
   lambda_.assign(static_cast<std::size_t>(dynamics.system().rows()), 0.0);
-  x_.assign(static_cast<std::size_t>(equations_.size()), 0.0);
-  G_.assign(dynamics.system().jacobian_size(), 0.0);
   failure_.text.reserve(512);
-  create_matrix_and_solver();
+  if (method == Method::adams_baumgarte) {
+    const double rate =
+        tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : tolerances.natural_rate;
+    stabilisation_ = {.alpha = rate, .beta = rate};
+    fixed_point_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
+  } else {
+    equations_.emplace(dynamics.system());
+    x_.assign(static_cast<std::size_t>(equations_->size()), 0.0);
+    G_.assign(dynamics.system().jacobian_size(), 0.0);
+    create_matrix_and_solver();
+  }
 }
 
 Cvode::~Cvode() {
   if (memory_ != nullptr) CVodeFree(&memory_);
-  SUNLinSolFreeEmpty(solver_);
-  SUNMatFreeEmpty(matrix_);
+  if (solver_ != nullptr) SUNLinSolFreeEmpty(solver_);
+  if (matrix_ != nullptr) SUNMatFreeEmpty(matrix_);
+  if (fixed_point_ != nullptr) SUNNonlinSolFree(fixed_point_);
   N_VDestroy(y_);
   N_VDestroy(weights_);
   SUNContext_Free(&context_);
@@ -167,16 +188,13 @@ void Cvode::pack(const State& state) {
 }
 
 void Cvode::create(const State& state) {
-  memory_ = CVodeCreate(CV_BDF, context_);
+  memory_ = CVodeCreate(equations_ ? CV_BDF : CV_ADAMS, context_);
   CVodeSetErrHandlerFn(memory_, &Cvode::on_error, this);
   CVodeInit(memory_, &Cvode::rates, state.t, y_);
   CVodeSetUserData(memory_, this);
   set_weights();
   CVodeWFtolerances(memory_, &Cvode::weights);
-  CVodeSetLinearSolver(memory_, solver_, matrix_);
-  CVodeSetLinSysFn(memory_, &Cvode::linear_system);
-  CVodeSetProjFn(memory_, &Cvode::project);
-  CVodeSetProjErrEst(memory_, SUNFALSE);
+  equations_ ? attach_newton() : attach_fixed_point();
   CVodeSetMaxErrTestFails(memory_, 30);
   CVodeSetMaxConvFails(memory_, 30);
   if (guard_.count() > 0) {
@@ -186,6 +204,15 @@ void Cvode::create(const State& state) {
     CVodeSetNoInactiveRootWarn(memory_);
   }
 }
+
+void Cvode::attach_newton() {
+  CVodeSetLinearSolver(memory_, solver_, matrix_);
+  CVodeSetLinSysFn(memory_, &Cvode::linear_system);
+  CVodeSetProjFn(memory_, &Cvode::project);
+  CVodeSetProjErrEst(memory_, SUNFALSE);
+}
+
+void Cvode::attach_fixed_point() { CVodeSetNonlinearSolver(memory_, fixed_point_); }
 
 void Cvode::start(const State& state) {
   pack(state);
@@ -208,7 +235,8 @@ Step Cvode::step(double t_stop) {
     t_stop_ = t_stop;
   }
   const int flag = CVode(memory_, t_stop, y_, &t_, CV_ONE_STEP);
-  if (flag < 0) {
+  // With the fixed-point iteration CVODE tries shorter steps even after an exception.
+  if (flag < 0 || failure_.thrown) {
     CVodeGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
@@ -238,7 +266,7 @@ void Cvode::interpolate(double t, State& state) {
 
 StepCounters Cvode::counters() const {
   StepCounters total = before_;
-  total.factors = equations_.counters();
+  if (equations_) total.factors = equations_->counters();
   if (memory_ == nullptr) return total;
   long steps = 0, errors = 0, newton = 0, setups = 0;
   CVodeGetNumSteps(memory_, &steps);
@@ -261,7 +289,8 @@ int Cvode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
 bool Cvode::calc_rates(double t, const double* y, double* y_dot) {
   std::copy_n(y + n_, n_, y_dot);
   return dynamics_.calc_accelerations(t, q_of(y), v_of(y), z_of(y), y_dot + n_, nullptr,
-                                      y_dot + 2 * n_, y_dot + 2 * n_ + nz_);
+                                      y_dot + 2 * n_, y_dot + 2 * n_ + nz_,
+                                      stabilisation_ ? &*stabilisation_ : nullptr);
 }
 
 int Cvode::linear_system(sunrealtype t, N_Vector y, N_Vector, SUNMatrix, sunbooleantype,
@@ -278,7 +307,7 @@ bool Cvode::calc_linear_system(double t, const double* y, double gamma) {
   if (!dynamics_.calc_accelerations(t, q, v_of(y), z_of(y), a_.data(), lambda_.data(), nullptr,
                                     nullptr))
     return false;
-  equations_.evaluate(t, c_, q, v_of(y), z_of(y), lambda_.data(), a_.data());
+  equations_->evaluate(t, c_, q, v_of(y), z_of(y), lambda_.data(), a_.data());
   std::copy_n(dynamics_.system().G(), G_.size(), G_.begin());
   return true;
 }
@@ -290,7 +319,7 @@ int Cvode::weights(N_Vector, N_Vector weights, void* self) {
 }
 
 int Cvode::setup(SUNLinearSolver solver, SUNMatrix) {
-  return static_cast<Cvode*>(solver->content)->equations_.factorise() ? 0 : 1;
+  return static_cast<Cvode*>(solver->content)->equations_->factorise() ? 0 : 1;
 }
 
 int Cvode::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
@@ -300,16 +329,16 @@ int Cvode::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunr
 
 void Cvode::solve(const double* b, double* x) {
   System& system = dynamics_.system();
-  const int lambda = equations_.lambda();
+  const int lambda = equations_->lambda();
   for (int i = 0; i < lambda; ++i) x_[static_cast<std::size_t>(i)] = c_ * b[i];
-  double* x_v = x_.data() + equations_.v();
+  double* x_v = x_.data() + equations_->v();
   double* x_l = x_.data() + lambda;
   std::fill_n(x_l, system.rows(), 0.0);
   std::copy(G_.begin(), G_.end(), system.G());
   system.add_jacobian_times(x_v, x_l);
   for (const int i : system.dropped_rows()) x_l[i] = 0.0;
   for (int i = 0; i < n_; ++i) x_v[i] *= system.mass()[static_cast<std::size_t>(i)];
-  equations_.solve(x_.data());
+  equations_->solve(x_.data());
   std::copy_n(x_.data(), lambda, x);
   std::copy_n(b + lambda, quadratures_, x + lambda);
 }
@@ -354,7 +383,12 @@ void Cvode::on_error(int code, const char*, const char*, char* message, void* se
 
 std::unique_ptr<Formulation> make_cvode_projection(Dynamics& dynamics,
                                                    const Tolerances& tolerances) {
-  return std::make_unique<Cvode>(dynamics, tolerances);
+  return std::make_unique<Cvode>(dynamics, tolerances, Method::bdf_projection);
+}
+
+std::unique_ptr<Formulation> make_adams_baumgarte(Dynamics& dynamics,
+                                                  const Tolerances& tolerances) {
+  return std::make_unique<Cvode>(dynamics, tolerances, Method::adams_baumgarte);
 }
 
 }  // namespace yoke

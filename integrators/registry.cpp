@@ -11,6 +11,7 @@ std::unique_ptr<Formulation> make_arkode_baumgarte(Dynamics&, const Tolerances&)
 std::unique_ptr<Formulation> make_ida_ggl(Dynamics&, const Tolerances&);
 std::unique_ptr<Formulation> make_ida_baumgarte(Dynamics&, const Tolerances&);
 std::unique_ptr<Formulation> make_cvode_projection(Dynamics&, const Tolerances&);
+std::unique_ptr<Formulation> make_adams_baumgarte(Dynamics&, const Tolerances&);
 std::unique_ptr<Formulation> make_generalised_alpha(Dynamics&, const Tolerances&);
 
 const std::vector<FormulationEntry>& formulation_registry() {
@@ -28,6 +29,10 @@ const std::vector<FormulationEntry>& formulation_registry() {
       {"arkode-baumgarte",
        "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little", 1,
        "Runge-Kutta", 5, make_arkode_baumgarte},
+      {"adams-baumgarte",
+       "Adams on accelerations stabilised after Baumgarte; for long smooth motions; drifts a "
+       "little",
+       1, "Adams", 12, make_adams_baumgarte},
       {"generalised-alpha",
        "generalised-alpha on the index-3 equations, order 2, variable steps; numerical damping", 3,
        "generalised-alpha", 2, make_generalised_alpha},

@@ -71,7 +71,8 @@ TEST_CASE("the counter counts") {
 
 TEST_CASE("stepping, events, restarts and recording allocate nothing") {
   for (const std::string formulation :
-       {"arkode-projection", "ida-ggl", "arkode-baumgarte", "generalised-alpha"}) {
+       {"arkode-projection", "ida-ggl", "cvode-projection", "adams-baumgarte", "arkode-baumgarte",
+        "generalised-alpha"}) {
     INFO(formulation);
     Model model = scotch_yoke();
     model.add(RelaxingSpring{.name = "relaxing", .body = model.find_body("slider")});
