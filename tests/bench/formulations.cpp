@@ -114,7 +114,7 @@ SparseMatrix matrix_of(std::string_view name, Dynamics& dynamics, const Toleranc
     alpha.step(state.t + 2.0 * step);
     return alpha.matrix().scaled();
   }
-  if (name.starts_with("arkode")) return dynamics.matrix();
+  if (name.starts_with("arkode") || name.starts_with("adams")) return dynamics.matrix();
   AccelerationMatrix matrix(system);
   matrix.evaluate(state.t, c, state.q.data(), state.v.data(), state.z.data(), state.lambda.data(),
                   state.a.data());

@@ -205,7 +205,7 @@ TEST_SUITE("scotch-yoke") {
   }
 
   TEST_CASE("after many turns BDF at a tight tolerance takes steps of high order") {
-    // Noise in the history once brought it to order 1 and a million steps a turn.
+    // Noise in the history would bring it to order 1.
     const Case& c = find_case("scotch_yoke");
     const Model model = c.model(Parameters(c.parameters, {}), "table11-johnson");
     for (const char* formulation : {"cvode-projection", "ida-ggl", "ida-baumgarte"}) {
