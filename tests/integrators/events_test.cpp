@@ -255,8 +255,9 @@ TEST_CASE("a ball hardly damped goes on bouncing without an end and without a pi
     CHECK(count(run, "onset") > static_cast<long>(0.95 / flight));
     CHECK(count(run, "onset") < static_cast<long>(1.05 / flight) + 1);
     CHECK(run["ball.y_m"].maxCoeff() < 1e-3 * (1.0 + 1e-5));
-    // In 70 impacts; BDF loses 3e-7 in one.
-    const double bar = formulation == "cvode-projection" ? 3e-5 : 1e-5;
+    // In 70 impacts; a multistep method, which starts anew in each, loses up to 3e-7 in one.
+    const bool one_step = formulation.starts_with("arkode") || formulation == "generalised-alpha";
+    const double bar = one_step ? 1e-5 : 3e-5;
     CHECK(run.summary.energy_balance < bar * run.summary.energy_exchanged);
   }
 }
