@@ -33,28 +33,33 @@ inline void require_finite(std::string_view owner, std::string_view parameter, d
     throw ModelError(fmt::format("{}: {} = {} must be a finite number", owner, parameter, value));
 }
 
+/// A number and its unit; a plain number if `unit` is empty.
+inline std::string in_unit(double value, std::string_view unit) {
+  return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
 /// Throws ModelError unless `value` is finite and > 0; `unit` is printed after the value.
 inline void require_positive(std::string_view owner, std::string_view parameter, double value,
                              std::string_view unit) {
   if (!(std::isfinite(value) && value > 0.0))
-    throw ModelError(fmt::format("{}: {} = {:g} {} must be finite and greater than 0 {}", owner,
-                                 parameter, value, unit, unit));
+    throw ModelError(fmt::format("{}: {} = {} must be finite and greater than {}", owner, parameter,
+                                 in_unit(value, unit), in_unit(0.0, unit)));
 }
 
 /// Throws ModelError unless `value` is finite and >= 0.
 inline void require_not_negative(std::string_view owner, std::string_view parameter, double value,
                                  std::string_view unit) {
   if (!(std::isfinite(value) && value >= 0.0))
-    throw ModelError(fmt::format("{}: {} = {:g} {} must be finite and at least 0 {}", owner,
-                                 parameter, value, unit, unit));
+    throw ModelError(fmt::format("{}: {} = {} must be finite and at least {}", owner, parameter,
+                                 in_unit(value, unit), in_unit(0.0, unit)));
 }
 
 /// Throws ModelError unless low <= value <= high.
 inline void require_range(std::string_view owner, std::string_view parameter, double value,
                           double low, double high, std::string_view unit = "") {
   if (!(value >= low && value <= high))
-    throw ModelError(fmt::format("{}: {} = {:g} {} is outside the accepted range {:g} to {:g} {}",
-                                 owner, parameter, value, unit, low, high, unit));
+    throw ModelError(fmt::format("{}: {} = {} is outside the accepted range {:g} to {}", owner,
+                                 parameter, in_unit(value, unit), low, in_unit(high, unit)));
 }
 
 }  // namespace yoke

@@ -244,7 +244,7 @@ TEST_CASE("wrong names, readings and numbers are refused by name, value and rang
   CHECK(contains(refuses("power:K=1e8"), "power:K=1e8,n=1.5"));
   CHECK(contains(refuses("power:K=1e8,m=2"), "'m' is not one of K, n, unit"));
   CHECK(contains(refuses("power:K=1e8x,n=2"), "K = '1e8x' must be a number"));
-  CHECK(contains(refuses("power:K=1e8,n=0.5"), "n = 0.5  is outside the accepted range 1 to 10"));
+  CHECK(contains(refuses("power:K=1e8,n=0.5"), "n = 0.5 is outside the accepted range 1 to 10"));
   CHECK(contains(refuses("power:K=-1,n=2,unit=mm"), "K = -1 N/mm^n must be finite"));
   CHECK(contains(refuses("power:K=1,n=2,K=3"), "K is given twice"));
   CHECK(contains(refuses("power:K=1,n=2,unit=cm"), "unit = 'cm' must be m or mm"));
