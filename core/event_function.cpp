@@ -15,7 +15,8 @@ class EventFunctionElement final : public ForceElement {
         event_(std::move(description)) {}
 
   void check(const Model& model) const override {
-    for (const ParameterChange& change : event_.set) model.find_parameter(change.parameter);
+    for (const ParameterChange& change : event_.set)
+      model.check_parameter(fmt::format("event '{}'", name()), change.parameter, change.value);
   }
 
   void evaluate(const ForceInput&, const ForceRequest&) const override {}
@@ -60,7 +61,8 @@ class EventFunctionElement final : public ForceElement {
 
 std::unique_ptr<ForceElement> EventFunction::build(const Model&) const {
   if (!function) throw ModelError(fmt::format("event '{}': it has no function", name));
-  for (const ParameterChange& change : set) require_finite(name, change.parameter, change.value);
+  for (const ParameterChange& change : set)
+    require_finite(fmt::format("event '{}'", name), change.parameter, change.value);
   return std::make_unique<EventFunctionElement>(*this);
 }
 

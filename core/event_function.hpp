@@ -50,7 +50,8 @@ struct EventFunction {
   std::function<void(const EventAction&)> action{};  // then this
   bool stop = false;                                 // then the run ends
 
-  /// Throws ModelError if there is no function, at the start of a run if a parameter is unknown.
+  /// Throws ModelError if there is no function, at the start of a run if a parameter is unknown or
+  /// may not have the value. What `action` sets is checked when it has been done: the run fails.
   std::unique_ptr<ForceElement> build(const Model& model) const;
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ struct Parameter {
   std::string name;
   std::string unit;
   double value = 0.0;
+  double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
+  double high = std::numeric_limits<double>::infinity();
 };
 
 /// A quantity an element reports at every output sample. `labels` not empty: the value is an index

@@ -52,6 +52,19 @@ std::string known_names(const std::vector<Body>& bodies) {
   return list;
 }
 
+void require_accepted(const std::string& owner, std::string_view name, const Parameter& p,
+                      double value) {
+  require_finite(owner, name, value);
+  if (value >= p.low && value <= p.high) return;
+  const std::string accepted =
+      std::isfinite(p.low) && std::isfinite(p.high)
+          ? fmt::format("{:g} to {}", p.low, in_unit(p.high, p.unit))
+          : fmt::format("at {} {}", std::isfinite(p.low) ? "least" : "most",
+                        in_unit(std::isfinite(p.low) ? p.low : p.high, p.unit));
+  throw ModelError(fmt::format("{}: {} = {} is outside the accepted range, {}", owner, name,
+                               in_unit(value, p.unit), accepted));
+}
+
 void check_finite(const std::string& owner, const Body& body) {
   require_finite(owner, "pose x", body.pose.position.x());
   require_finite(owner, "pose y", body.pose.position.y());
@@ -71,8 +84,7 @@ Model::Model() {
 BodyId Model::add(Body body) {
   const std::string owner = fmt::format("body '{}'", body.name);
   check_name("a body", body.name);
-  if (body_index_.contains(body.name))
-    throw ModelError(owner + ": this name is taken by another body");
+  require_free(owner, body.name);
   require_positive(owner, "mass", body.mass, "kg");
   require_positive(owner, "inertia", body.inertia, "kg m^2");
   check_finite(owner, body);
@@ -107,8 +119,17 @@ void Model::check_new_element(const std::string& name, const std::vector<BodyId>
     throw ModelError(fmt::format(
         "'{}': body '{}' is given twice; a joint or force acts between different bodies", name,
         body(BodyId{*twice}).name));
-  if (!element_names_.insert(name).second)
-    throw ModelError(fmt::format("'{}': this name is taken by another joint or force", name));
+  require_free(fmt::format("joint or force '{}'", name), name);
+  element_names_.insert(name);
+}
+
+void Model::require_free(std::string_view what, const std::string& name) const {
+  const bool body = body_index_.contains(name);
+  if (!body && !element_names_.contains(name)) return;
+  throw ModelError(
+      fmt::format("{}: this name is taken by a {}; names of a model are unique, because "
+                  "columns of results are found by them",
+                  what, body ? "body" : "joint or force"));
 }
 
 void Model::insert(std::unique_ptr<Constraint> constraint) {
@@ -121,7 +142,7 @@ void Model::insert(std::unique_ptr<Constraint> constraint) {
 
 void Model::insert(std::unique_ptr<ForceElement> force) {
   for (const Parameter& p : force->parameters())
-    require_finite(fmt::format("'{}'", force->name()), p.name, p.value);
+    require_accepted(fmt::format("'{}'", force->name()), p.name, p, p.value);
   check_new_element(force->name(), force->bodies(*this));
   forces_.push_back(std::move(force));
 }
@@ -183,6 +204,20 @@ std::size_t Model::find_parameter(std::string_view name) const {
   }
   throw ModelError(fmt::format("unknown parameter '{}': the model has {}", name,
                                known.empty() ? "no changeable parameters" : known));
+}
+
+void Model::check_parameter(std::string_view owner, std::string_view name, double value) const {
+  std::size_t index = find_parameter(name);
+  for (const auto& f : forces_)
+    for (const Parameter& p : f->parameters())
+      if (index-- == 0) return require_accepted(std::string(owner), name, p, value);
+}
+
+void Model::check_parameters(const std::vector<double>& values) const {
+  std::size_t index = 0;
+  for (const auto& f : forces_)
+    for (const Parameter& p : f->parameters())
+      require_accepted(fmt::format("'{}'", f->name()), p.name, p, values.at(index++));
 }
 
 }  // namespace yoke

@@ -38,7 +38,8 @@ class Model {
   BodyId add(Body body);
 
   /// Adds a joint or force from its description, placed by global geometry in the start pose.
-  /// Throws ModelError for a name that is empty or taken, an unknown body, a body given twice.
+  /// Throws ModelError for a name that is empty or taken (by a body, joint or force: names head
+  /// columns and stand in messages), an unknown body, a body given twice.
   template <ElementDescription D>
   void add(const D& description) {
     insert(description.build(*this));
@@ -64,8 +65,13 @@ class Model {
   State start_state() const;
   /// Index into State::parameters of "element.parameter". Throws ModelError.
   std::size_t find_parameter(std::string_view name) const;
+  /// Throws ModelError, in the name of `owner`, unless "element.parameter" may have this value.
+  void check_parameter(std::string_view owner, std::string_view name, double value) const;
+  /// The same for all of State::parameters.
+  void check_parameters(const std::vector<double>& values) const;
 
  private:
+  void require_free(std::string_view what, const std::string& name) const;
   void check_new_element(const std::string& name, const std::vector<BodyId>& bodies);
 
   std::vector<Body> bodies_;

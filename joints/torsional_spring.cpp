@@ -18,8 +18,8 @@ class TorsionForce final : public ForceElement {
         free_angle_(free_angle) {}
 
   std::vector<Parameter> parameters() const override {
-    return {{"stiffness", "N m/rad", k_},
-            {"damping", "N m s/rad", c_},
+    return {{"stiffness", "N m/rad", k_, 0.0},
+            {"damping", "N m s/rad", c_, 0.0},
             {"free_angle", "rad", free_angle_}};
   }
   bool dissipates() const override { return true; }

@@ -24,7 +24,9 @@ class SpringForce final : public ForceElement {
         eps_(1e-9 * start_length) {}
 
   std::vector<Parameter> parameters() const override {
-    return {{"stiffness", "N/m", k_}, {"damping", "N s/m", c_}, {"free_length", "m", free_length_}};
+    return {{"stiffness", "N/m", k_, 0.0},
+            {"damping", "N s/m", c_, 0.0},
+            {"free_length", "m", free_length_, 0.0}};
   }
   bool dissipates() const override { return true; }
 
