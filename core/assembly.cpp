@@ -25,6 +25,7 @@ class Assembly {
  public:
   Assembly(const Model& model, const State& rough, const AssemblyOptions& options)
       : model_(model), options_(options), dynamics_(model), rough_(rough), q0_(rough.q) {
+    check_options();
     const System& system = dynamics_.system();
     held_.assign(at(system.dofs()), 0);
     weights_.assign(system.mass().begin(), system.mass().end());
@@ -58,6 +59,14 @@ class Assembly {
     return 3 * (id.index - 1) + static_cast<int>(coordinate);
   }
 
+  void check_options() const {
+    for (const Near& n : options_.near)
+      require_not_negative(fmt::format("assembly, near, body '{}'", n.body), "within", n.within,
+                           unit_of(n.coordinate));
+    if (options_.starts < 0)
+      throw ModelError(fmt::format("assembly: starts = {} must be at least 0", options_.starts));
+  }
+
   // Of a coordinate from where it is asked to be, in units of what is allowed.
   double off_side(const Near& n, double value) const {
     double d = value - n.value;
@@ -79,7 +88,7 @@ class Assembly {
     std::optional<double> nearest;
     const Near* wrong = nullptr;
     double wrong_value = 0.0, least = std::numeric_limits<double>::infinity();
-    for (int start = 0; start <= std::max(options_.starts, 0); ++start) {
+    for (int start = 0; start <= options_.starts; ++start) {
       Eigen::VectorXd q = q0_;
       if (start > 0)
         for (Eigen::Index i = 0; i < q.size(); ++i) {
