@@ -20,4 +20,9 @@ Scales choose_scales(const System& system, const State& state, const SimulationO
 /// element states: x the scale their element gives.
 Tolerances choose_tolerances(const System& system, const SimulationOptions& options);
 
+/// The same for a run from `state`: energies not below rounding of what they are now and of the
+/// work that drivers exchange with stiff forces. Throws ModelError for a baumgarte_rate that leaves
+/// nothing but rounding.
+Tolerances choose_tolerances(System& system, const State& state, const SimulationOptions& options);
+
 }  // namespace yoke

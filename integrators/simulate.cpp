@@ -11,6 +11,7 @@
 
 #include <yoke/core/fingerprint.hpp>
 #include <yoke/core/recorder.hpp>
+#include <yoke/integrators/callback_failure.hpp>
 #include <yoke/integrators/checkpoint.hpp>
 #include <yoke/integrators/choice.hpp>
 #include <yoke/integrators/formulation.hpp>
@@ -187,7 +188,7 @@ void Run::note_constraints() {
 
 void Run::make_formulation() {
   formulation_ = guard_singular_positions(
-      entry_, dynamics_, choose_tolerances(dynamics_.system(), options_),
+      entry_, dynamics_, choose_tolerances(dynamics_.system(), state_, options_),
       [this](const SingularPosition& position) { record_singular_position(position); });
 }
 
@@ -522,6 +523,7 @@ void Run::handle_event(const ForceSlot& slot, int event) {
   EventContext context = context_of(slot);
   const EnergyTerms before = dynamics_.system().calc_energy();
   slot.element->handle_event(event, context);
+  if (parameters_changed_) dynamics_.system().model().check_parameters(state_.parameters);
   if (!parameters_changed_ || slot.supplied < 0) return;
   const EnergyTerms after = dynamics_.system().calc_energy();
   state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
@@ -590,8 +592,9 @@ bool Run::advance() {
   const double t = at_event ? locate_events() : formulation_->time();
   if (step == Step::failed) {
     stop(Stop::failed,
-         fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{} ({})", t,
-                     formulation_->last_step(), blame(), formulation_->failure()));
+         explained(formulation_->failure(), t,
+                   fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{}", t,
+                               formulation_->last_step(), blame())));
     return false;
   }
   if (stalls(t)) {

@@ -27,13 +27,13 @@ struct Progress {
 /// each one the run itself starts its integrator afresh, so a run that is taken up there gives the
 /// same bits as the one that was not interrupted. The schedule is therefore part of the result.
 struct Checkpoints {
-  std::filesystem::path folder{};  // empty: none are written
+  std::filesystem::path folder{};  // needs a schedule, and a schedule needs it; empty: none
   double every = 0.0;              // [s] simulated time from one to the next; 0: not by time
   long every_events = 0;           // restarts at events from one to the next; 0: not by events
   bool resume = false;             // go on from the last one in the folder, if there is one
 };
 
-/// Numbers <= 0 mean "chosen from the model".
+/// Scales and rates that are 0 are chosen from the model; negative ones are refused.
 struct SimulationOptions {
   double until = 0.0;                     // [s] end time, > start time
   double relative_tolerance = 1e-8;       // 1e-13 to 1e-2
@@ -41,7 +41,7 @@ struct SimulationOptions {
   int samples = 1001;                     // rows, uniform in time, both ends; 0 or >= 2
   double length_scale = 0.0;              // [m] error weight of positions
   double time_scale = 0.0;                // [s] of velocities: length / time
-  double baumgarte_rate = 0.0;            // [1/s] gain of the formulations after Baumgarte
+  double baumgarte_rate = 0.0;            // [1/s] gain after Baumgarte, see docs/numerics.md
   double spectral_radius = 0.8;           // 0 to 0.999, formulation generalised-alpha only
   Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was

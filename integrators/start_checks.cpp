@@ -3,12 +3,38 @@
 #include <yoke/integrators/start_checks.hpp>
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <yoke/core/fingerprint.hpp>
 
 namespace yoke {
+
+namespace {
+
+// A schedule without a folder, or a folder without a schedule, would be passed over in silence.
+void check_checkpoints(const Checkpoints& c) {
+  require_not_negative("simulation", "checkpoints.every", c.every, "s");
+  if (c.every_events < 0)
+    throw ModelError(fmt::format("simulation: checkpoints.every_events = {} must be at least 0",
+                                 c.every_events));
+  const bool scheduled = c.every > 0.0 || c.every_events > 0;
+  if (c.folder.empty() && scheduled)
+    throw ModelError(fmt::format(
+        "simulation: checkpoints.folder is empty, but one is to be written every {}: "
+        "name the folder",
+        c.every > 0.0 ? in_unit(c.every, "s") : fmt::format("{} events", c.every_events)));
+  if (c.folder.empty() && c.resume)
+    throw ModelError("simulation: checkpoints.folder is empty: there is nothing to resume from");
+  if (!c.folder.empty() && !scheduled)
+    throw ModelError(
+        fmt::format("simulation: checkpoints.folder is '{}', but neither checkpoints.every [s] nor "
+                    "checkpoints.every_events is greater than 0: none would be written",
+                    c.folder.string()));
+}
+
+}  // namespace
 
 void check_options(const SimulationOptions& options, double t_start) {
   require_finite("simulation", "until", options.until);
@@ -20,14 +46,13 @@ void check_options(const SimulationOptions& options, double t_start) {
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
-  require_not_negative("simulation", "checkpoints.every", options.checkpoints.every, "s");
-  if (options.checkpoints.every_events < 0)
-    throw ModelError(fmt::format("simulation: checkpoints.every_events = {} must be at least 0",
-                                 options.checkpoints.every_events));
-  for (const auto& [name, value] : {std::pair{"length_scale", options.length_scale},
-                                    {"time_scale", options.time_scale},
-                                    {"baumgarte_rate", options.baumgarte_rate}})
-    require_finite("simulation", name, value);
+  check_checkpoints(options.checkpoints);
+  const std::tuple<const char*, double, const char*> sizes[] = {
+      {"length_scale", options.length_scale, "m"},
+      {"time_scale", options.time_scale, "s"},
+      {"baumgarte_rate", options.baumgarte_rate, "1/s"}};
+  for (const auto& [name, value, unit] : sizes)
+    require_not_negative("simulation", name, value, unit);
 }
 
 void check_model(const Model& model) {
@@ -56,7 +81,7 @@ void check_state(const Model& model, const State& start) {
   for (const Eigen::VectorXd* values : {&start.q, &start.v, &start.z})
     for (const double x : *values)
       require_finite("start state", "a position, velocity or state", x);
-  for (const double x : start.parameters) require_finite("start state", "a parameter", x);
+  model.check_parameters(start.parameters);
 }
 
 void check_checkpoint(const Model& model, const SimulationOptions& options, const Checkpoint& c) {

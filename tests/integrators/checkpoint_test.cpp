@@ -234,3 +234,19 @@ TEST_CASE("a model whose event differs has another fingerprint") {
   CHECK(plain != with({.name = "event", .action = [](const EventAction&) {}}));
   CHECK(plain != with({.name = "event", .function = [](const Motion& at) { return at.t - 0.03; }}));
 }
+
+TEST_CASE("checkpoints without a folder, or a folder without a schedule, are refused") {
+  const Model model = rattling_yoke();
+  const auto refused = [&](const Checkpoints& checkpoints, const char* why) {
+    CHECK_THROWS_WITH_AS(simulate(model, {.until = 0.01, .checkpoints = checkpoints}),
+                         doctest::Contains(why), ModelError);
+  };
+  TemporaryFolder folder;
+  refused({.every = 0.1}, "checkpoints.folder is empty, but one is to be written every 0.1 s");
+  refused({.every_events = 3},
+          "checkpoints.folder is empty, but one is to be written every 3 events");
+  refused({.resume = true}, "checkpoints.folder is empty: there is nothing to resume from");
+  refused({.folder = folder.path}, "neither checkpoints.every [s] nor checkpoints.every_events");
+  refused({.folder = folder.path, .every = -1.0}, "checkpoints.every = -1 s must be finite");
+  CHECK(fs::is_empty(folder.path));
+}

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include <yoke/core/event_function.hpp>
@@ -193,5 +194,56 @@ TEST_CASE("an event function that is not a number is named") {
     CHECK(run.summary.stop == Stop::failed);
     INFO(run.summary.reason);
     CHECK(run.summary.reason.find("'lost' gives a value that is not finite") != std::string::npos);
+  }
+}
+
+TEST_CASE("an event cannot give a parameter a value that its element would refuse") {
+  Model m = oscillator();
+  m.add(EventFunction{
+      .name = "wrong", .function = position_minus(1.0), .set = {{"spring.stiffness", -5.0}}});
+  CHECK_THROWS_WITH_AS(simulate(m, {.until = 1.0}),
+                       "event 'wrong': spring.stiffness = -5 N/m is outside the accepted range, at "
+                       "least 0 N/m",
+                       ModelError);
+  CHECK_THROWS_AS(m.add(EventFunction{.name = "nan",
+                                      .function = position_minus(1.0),
+                                      .set = {{"spring.stiffness", std::nan("")}}}),
+                  ModelError);
+
+  // What an action does is known only when it has been done.
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model late = oscillator();
+    late.add(EventFunction{
+        .name = "late", .function = position_minus(1.0), .action = [](const EventAction& a) {
+          a.parameter("spring.damping") = -2.0;
+        }});
+    const Result run = simulate(late, options(f.name, 1.0));
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK(run.summary.reason.find("'spring': damping = -2 N s/m is outside the accepted range") !=
+          std::string::npos);
+    CHECK(run.samples.rows() > 100);
+  }
+
+  // A state that a run starts from is held to the same.
+  State start = assembled_state(oscillator());
+  start.parameters[oscillator().find_parameter("spring.free_length")] = -0.1;
+  CHECK_THROWS_WITH_AS(simulate(oscillator(), start, {.until = 1.0}),
+                       doctest::Contains("'spring': free_length = -0.1 m is outside"), ModelError);
+}
+
+TEST_CASE("what a user's function says when it throws comes first, in every formulation") {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    Model m = oscillator();
+    m.add(EventFunction{.name = "picky", .function = [](const Motion& at) {
+                          if (at.t > 0.1) throw std::runtime_error("my table ends at 0.1 s");
+                          return 1.0 + at[BodyId{1}].x;
+                        }});
+    const Result run = simulate(m, options(f.name, 1.0));
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK_MESSAGE(run.summary.reason.starts_with("after t = "), run.summary.reason);
+    CHECK_MESSAGE(run.summary.reason.ends_with(" s: my table ends at 0.1 s"), run.summary.reason);
+    CHECK(run.summary.t_end < 0.11);
   }
 }

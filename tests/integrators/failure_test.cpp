@@ -7,6 +7,7 @@
 
 #include <yoke/joints/applied_force.hpp>
 #include <yoke/joints/distance.hpp>
+#include <yoke/joints/torsional_spring.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {
@@ -32,7 +33,7 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("options out of range are refused with name, value and range") {
   const Model model = double_pendulum();
   CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = 1e-15}),
-                 "relative_tolerance = 1e-15  is outside the accepted range 1e-13 to 0.01"));
+                 "relative_tolerance = 1e-15 is outside the accepted range 1e-13 to 0.01"));
   CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = std::nan("")}),
                  "relative_tolerance = nan"));
   CHECK(contains(message_of(model, {.until = -1.0}), "until = -1 s must be later than the start"));
@@ -121,4 +122,41 @@ TEST_CASE("a driver whose rate is not the derivative of its value is refused, a 
   CHECK(contains(message_of(driven(1.1, 1257.0), options),
                  "driver 'motor': its rate is not the derivative"));
   CHECK(message_of(driven(1.0, 1257.0), options) == "no error");
+}
+
+TEST_CASE("scales and rates that make no sense are refused with their range") {
+  const Model model = double_pendulum();
+  CHECK(contains(message_of(model, {.until = 1.0, .length_scale = -1.0}),
+                 "length_scale = -1 m must be finite and at least 0 m"));
+  CHECK(
+      contains(message_of(model, {.until = 1.0, .time_scale = -0.1}), "time_scale = -0.1 s must"));
+  CHECK(contains(message_of(model, {.until = 1.0, .baumgarte_rate = -3.0}),
+                 "baumgarte_rate = -3 1/s must be finite and at least 0 1/s"));
+  for (const char* formulation : {"arkode-baumgarte", "ida-baumgarte"})
+    CHECK(contains(
+        message_of(
+            model,
+            {.until = 1.0, .formulation = formulation, .time_scale = 0.1, .baumgarte_rate = 1e12}),
+        "baumgarte_rate = 1e+12 1/s: at relative_tolerance = 1e-08 and a time scale of "
+        "0.1 s accepted is up to 6.71e+05 1/s"));
+}
+
+TEST_CASE("a driven body on a spring of 1e9 N m/rad runs in every formulation") {
+  // The work of the drive is k phi^2/2 = 5e8 J; the body itself never has more than 0.5 J.
+  const double k = 1e9;
+  for (const FormulationNote& f : formulations()) {
+    for (const double rtol : {1e-6, 1e-8, 1e-10}) {
+      INFO(f.name, " ", rtol);
+      Model m;
+      const auto wheel = m.add(Body{.name = "wheel", .mass = 1.0, .inertia = 1.0});
+      m.add(Revolute{.name = "pivot", .a = ground, .b = wheel, .at = {0.0, 0.0}});
+      m.add(TorsionalSpring{.name = "spring", .a = ground, .b = wheel, .stiffness = k});
+      m.add(AngleDriver{.name = "motor", .body = wheel, .angle = constant_speed(0.0, 1.0)});
+      const Result run = simulate(
+          m, {.until = 1.0, .relative_tolerance = rtol, .formulation = std::string(f.name)});
+      REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+      CHECK(run["motor.work_J"].tail(1)[0] == doctest::Approx(0.5 * k).epsilon(1e-6));
+      CHECK(run.summary.energy_balance < 1e-12 * k);
+    }
+  }
 }
