@@ -33,7 +33,11 @@ void add_inverse_dynamics_verb(CLI::App& app, Action& action) {
         const Result result =
             inverse_dynamics(model, {.until = duration_of(options), .samples = request.samples});
         const int code = report_motion(result, request, options);
-        if (options.format == "text") print_drives(model, result);
+        if (options.format != "text") return code;
+        if (!result.summary.singular_positions.empty())
+          fmt::print(
+              "next to a singular position reactions are lost to rounding; powers are not\n");
+        print_drives(model, result);
         return code;
       });
 }

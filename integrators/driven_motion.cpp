@@ -21,7 +21,9 @@ constexpr double largest_move = 0.1;      // length scales or rad in one step
 // independence. A step is a part of that, but need not be smaller than `always_allowed`.
 constexpr double part_of_distance = 0.3;
 constexpr double always_allowed = 1e-5;
-constexpr double rounding = 1e-9;      // length scales or rad: a correction that needs no excuse
+constexpr double singular = 1e-10;  // independence where nothing but the past tells the velocities
+constexpr double coasting = 1e-12;  // violation of the constraints after a step by prediction alone
+constexpr double rounding = 1e-9;   // length scales or rad: a correction that needs no excuse
 constexpr double worth_a_look = 0.05;  // independence of a minimum that is located
 
 int degrees_of_freedom(const Dynamics& dynamics) {
@@ -117,6 +119,7 @@ bool DrivenMotion::solve_near(const State& from, double t, State& state) {
   const double move = distance(predicted_, from.q);
   if (move > largest_move) return false;
   dynamics_.system().bind(state);
+  if (move <= always_allowed && coasts(from, state)) return true;
   const bool regular = dynamics_.project_positions(t, state.q.data(), Correction::exact) &&
                        dynamics_.project_velocities(t, state.q.data(), state.v.data()) &&
                        dynamics_.calc_accelerations(state);
@@ -126,6 +129,17 @@ bool DrivenMotion::solve_near(const State& from, double t, State& state) {
     if (!dynamics_.project(state)) return false;
   }
   return distance(state.q, predicted_) <= std::max(small_correction * move, rounding);
+}
+
+// At a singular position velocities and accelerations do not follow from the constraints, and next
+// to it they are lost to rounding (as 1/independence and more). The motion that came there goes
+// through: over so short a way its prediction is as good as rounding.
+bool DrivenMotion::coasts(const State& from, State& state) {
+  if (dynamics_.independence(state.t, state.q.data(), 3) > singular) return false;
+  state.a = from.a;
+  state.lambda = from.lambda;
+  return dynamics_.position_violation(state) <= coasting &&
+         dynamics_.velocity_violation(state) * (state.t - from.t) <= coasting;
 }
 
 bool DrivenMotion::advance(double t, const Observer& observer) {

@@ -38,6 +38,7 @@ class DrivenMotion {
 
  private:
   void require_driven(const Model& model, std::string_view analysis) const;
+  bool coasts(const State& from, State& state);
   double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   bool keeps_to_branch();
   void explain_failure(double h);

@@ -8,6 +8,7 @@
 
 #include <yoke/core/recorder.hpp>
 #include <yoke/integrators/driven_motion.hpp>
+#include <yoke/integrators/kinematics.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/integrators/start_checks.hpp>
 #include <yoke/integrators/stored_rows.hpp>
@@ -18,8 +19,11 @@ namespace {
 
 constexpr const char* name = "inverse dynamics";
 constexpr double history_tolerance = 1e-10;  // for forces with a memory
-constexpr double allowed_violation = 1e-6;   // of a given motion, in length scales or rad
-constexpr double allowed_imbalance = 1e-6;   // of the forces, in parts of the largest
+// Of the best independence met: below this the powers of drives are lost to rounding, which grows
+// as its power -3/2.
+constexpr double lost_below = 1e-6;
+constexpr double allowed_violation = 1e-6;  // of a given motion, in length scales or rad
+constexpr double allowed_imbalance = 1e-6;  // of the forces, in parts of the largest
 
 void check_samples(int samples) {
   if (samples < 2)
@@ -64,11 +68,41 @@ class EnergyIntegral {
   }
   const Eigen::VectorXd& rates() const { return rates_; }
   const Eigen::VectorXd& total() const { return total_; }
+  void add(const Eigen::VectorXd& energy) { total_ += energy; }
 
  private:
   DrivenMotion& motion_;
   Eigen::VectorXd rates_, total_;
   State at_, next_;
+};
+
+/// Rates of energy through a stretch of the motion where they cannot be evaluated, by the
+/// polynomial through those before and after it.
+class Bridge {
+ public:
+  void add(double t, const Eigen::VectorXd& rates) { nodes_.push_back({t, rates}); }
+  Eigen::VectorXd rates(double t) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(nodes_.front().rates.size());
+    for (const Node& node : nodes_) {
+      double weight = 1.0;  // Lagrange's
+      for (const Node& other : nodes_)
+        if (&other != &node) weight *= (t - other.t) / (node.t - other.t);
+      sum += weight * node.rates;
+    }
+    return sum;
+  }
+  /// Exact for the polynomial, of degree 3 or less.
+  Eigen::VectorXd integral(double from, double to) const {
+    const double h = to - from, offset = std::sqrt(1.0 / 12.0);
+    return 0.5 * h * (rates(from + (0.5 - offset) * h) + rates(from + (0.5 + offset) * h));
+  }
+
+ private:
+  struct Node {
+    double t;
+    Eigen::VectorXd rates;
+  };
+  std::vector<Node> nodes_;
 };
 
 /// "motor.work" is fed by "motor.power".
@@ -107,10 +141,105 @@ class WideTable {
   std::vector<std::size_t> kept_;
 };
 
+/// The rows of a driven motion with their energies. Next to a singular position multipliers, and
+/// with them the powers of drives, are lost to rounding, though the powers stay finite: they are
+/// the rates of all other energies. There the rates are bridged between two states before and two
+/// behind, and rows wait until they are known.
+class EnergyRows {
+ public:
+  EnergyRows(DrivenMotion& motion, WideTable& table)
+      : motion_(motion),
+        table_(table),
+        energies_(motion),
+        watch_(motion, KinematicsOptions{}.warn_below) {
+    is_lost(motion.state());
+    table_.start(motion.state());
+  }
+
+  /// A step accepted; false if energies within it cannot be found.
+  bool step(const State& before, const State& after) {
+    if (is_lost(after)) return open(before);
+    if (open_ && behind_++ == 0) {
+      first_behind_ = after;
+      return true;
+    }
+    if (open_ && !close(&after)) return false;
+    earlier_ = before;
+    has_earlier_ = true;
+    return energies_.add(before, after);
+  }
+  /// A row at the state reached; false if its forces are not finite.
+  bool row(State state) {
+    if (open_) {
+      waiting_.push_back(std::move(state));
+      return true;
+    }
+    state.energy = energies_.total();
+    if (!energies_.calc_rates(state)) return false;
+    record(state, energies_.rates());
+    return true;
+  }
+  /// No step comes any more. False as for a step.
+  bool finish() {
+    watch_.finish();
+    return !open_ || close(nullptr);
+  }
+  const std::vector<SingularPosition>& singular_positions() const { return watch_.found(); }
+  const State& last() const { return last_; }
+
+ private:
+  bool is_lost(const State& state) {
+    watch_.see(state);
+    best_ = std::max(best_, watch_.last());
+    return watch_.last() < lost_below * best_;
+  }
+  bool open(const State& before) {
+    behind_ = 0;
+    if (open_) return true;
+    open_ = true;
+    entry_ = before;
+    bridge_ = {};
+    return (!has_earlier_ || add_node(earlier_)) && add_node(before);
+  }
+  bool add_node(State state) {
+    if (!energies_.calc_rates(state)) return false;
+    bridge_.add(state.t, energies_.rates());
+    return true;
+  }
+  // With the second state behind, if there is one.
+  bool close(const State* second) {
+    if (behind_ > 0 && !add_node(first_behind_)) return false;
+    if (second != nullptr && !add_node(*second)) return false;
+    for (State& state : waiting_) {
+      state.energy = energies_.total() + bridge_.integral(entry_.t, state.t);
+      record(state, bridge_.rates(state.t));
+    }
+    if (behind_ > 0) energies_.add(bridge_.integral(entry_.t, first_behind_.t));
+    waiting_.clear();
+    open_ = false;
+    return true;
+  }
+  void record(const State& state, const Eigen::VectorXd& rates) {
+    motion_.dynamics().system().bind(state);
+    std::ranges::copy(rates, table_.record(state));
+    last_ = state;
+  }
+
+  DrivenMotion& motion_;
+  WideTable& table_;
+  EnergyIntegral energies_;
+  SingularityWatch watch_;
+  double best_ = 0.0;  // independence seen
+  bool open_ = false, has_earlier_ = false;
+  int behind_ = 0;  // states behind the stretch
+  State earlier_, entry_, first_behind_, last_;
+  Bridge bridge_;
+  std::vector<State> waiting_;
+};
+
 Result along_drivers(const Model& model, const InverseDynamicsOptions& options) {
   DrivenMotion motion(model, name, options.until);
   System& system = motion.dynamics().system();
-  EnergyIntegral energies(motion);
   Result result;
   Summary& summary = result.summary;
   note_constraints(motion.dynamics(), summary);
@@ -124,28 +253,31 @@ Result along_drivers(const Model& model, const InverseDynamicsOptions& options) 
   for (const std::string& quadrature : system.quadrature_names())
     result.samples.add_column(power_name(quadrature), "W");
   result.samples.reserve(static_cast<std::size_t>(options.samples));
-  table.start(motion.state());
+  EnergyRows rows(motion, table);
 
   bool ok = true;
   for (long i = 0; i < options.samples && ok; ++i) {
     bool integrated = true;
     ok = motion.advance(sample_time(i, options.samples, summary.t_start, options.until),
                         [&](const State& before, const State& after) {
-                          return integrated = energies.add(before, after);
+                          return integrated = rows.step(before, after);
                         });
-    State state = motion.state();
+    const State& state = motion.state();
     summary.reason = integrated ? motion.failure() : "energies within a step cannot be found";
     if (!ok && (state.t <= summary.t_end && i > 0)) break;
-    state.energy = energies.total();
-    if (!energies.calc_rates(state)) {
+    if (!rows.row(state)) {
       ok = false;
       summary.reason = fmt::format("forces at t = {:.9g} s are not finite", state.t);
       break;
     }
-    std::ranges::copy(energies.rates(), table.record(state));
     summary.t_end = state.t;
-    result.final = state;
   }
+  if (!rows.finish() && ok) {
+    ok = false;
+    summary.reason = "energies next to a singular position cannot be found";
+  }
+  result.final = rows.last();
+  summary.singular_positions = rows.singular_positions();
   summary.stop = ok ? Stop::completed : Stop::failed;
   if (ok) summary.reason = "reached the end time";
   summary.steps = motion.steps();

@@ -23,9 +23,11 @@ struct InverseDynamicsOptions {
 /// Of a mechanism whose drivers leave no degree of freedom: the motion is that of kinematics(), the
 /// torque of a drive is its reaction. Columns: those of simulate(), and for every quadrature its
 /// rate, `motor.power_W`, `damper.dissipated_power_W`. Energies are integrated along the motion by
-/// Gauss' rule of order 6, so `balance_J` is a check. A force with a memory (contacts, element
-/// states z) needs its history: such a model is handed to simulate() at a tolerance of 1e-10, with
-/// the same columns but for the powers. Errors as for kinematics().
+/// Gauss' rule of order 6, so `balance_J` is a check. Nearly singular positions are listed in
+/// `summary.singular_positions` as by kinematics(): reactions next to them grow without bound or
+/// are lost to rounding; powers and energies are bridged from both sides, and right. A force with a
+/// memory (contacts, element states z) needs its history: such a model is handed to simulate() at a
+/// tolerance of 1e-10, with the same columns but for the powers. Errors as for kinematics().
 Result inverse_dynamics(const Model& model, const InverseDynamicsOptions& options);
 
 /// A drive that may act on one coordinate of a body: a force [N] on the centre of mass along x or

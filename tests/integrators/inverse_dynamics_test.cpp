@@ -190,3 +190,63 @@ TEST_CASE("drives that do not fit are refused") {
   CHECK(mentions(refusal([&] { inverse_dynamics(m, {.until = 1.0}); }),
                  "inverse dynamics: 2 degrees of freedom are left"));
 }
+
+TEST_CASE(
+    "work and power are right across a singular position, on a sample or not, and it is told") {
+  // All links in line at t = 1 s. The coupler does not turn and no speed changes: the drive lifts
+  // three links of 1 kg, P = 2 r m g omega cos(angle). Samples 11 and 101 have a row at t = 1 s.
+  const double r = 0.3, start = pi - 1.0;
+  for (const int samples : {11, 12, 101, 102}) {
+    for (const double stiffness : {0.0, 5.0}) {
+      INFO(samples, " samples, spring ", stiffness);
+      Model m = four_bar(r, 1.0, r, 1.0, start, 1.0);
+      m.add(Gravity{});
+      if (stiffness > 0.0)
+        m.add(TorsionalSpring{.name = "spring",
+                              .a = ground,
+                              .b = m.find_body("rocker"),
+                              .stiffness = stiffness,
+                              .free_angle = 0.2});
+      const Result run = inverse_dynamics(m, {.until = 2.0, .samples = samples});
+      REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+      REQUIRE(run.samples.rows() == static_cast<std::size_t>(samples));
+      CHECK(run.summary.energy_balance < 1e-6 * run.summary.energy_exchanged);
+      REQUIRE(run.summary.singular_positions.size() == 1);
+      CHECK(std::abs(run.summary.singular_positions[0].t - 1.0) < 1e-8);
+      CHECK(!run.summary.singular_positions[0].equation.empty());
+      CHECK(run.summary.singular_positions[0].independence < 1e-12);
+      const Eigen::VectorXd t = run["t_s"], power = run["motor.power_W"],
+                            work = run["motor.work_J"], rocker = run["rocker.angle_rad"];
+      for (Eigen::Index i = 0; i < t.size(); ++i) {
+        const double angle = start + t[i];
+        INFO("t = ", t[i]);
+        const double turned = std::remainder(rocker[i] - angle, 2.0 * pi);
+        CHECK(std::abs(turned) < 1e-8);
+        const double lift = 2.0 * r * 9.81, twist = rocker[i] - 0.2, twist_0 = rocker[0] - 0.2;
+        CHECK(std::abs(power[i] - (lift * std::cos(angle) + stiffness * twist)) < 1e-5);
+        CHECK(std::abs(work[i] - lift * (std::sin(angle) - std::sin(start)) -
+                       0.5 * stiffness * (twist * twist - twist_0 * twist_0)) < 1e-7);
+      }
+    }
+  }
+  // Where nothing is singular nothing is told.
+  const Result calm =
+      inverse_dynamics(slider_crank({.angle = 0.7, .omega = 40.0}), {.until = 0.3, .samples = 31});
+  CHECK(calm.summary.singular_positions.empty());
+}
+
+TEST_CASE("a slider-crank with equal links is taken through its fold, where velocities are lost") {
+  for (const int samples : {11, 12, 101}) {
+    INFO(samples);
+    const Model m = slider_crank({.crank = 0.1, .rod = 0.1, .angle = pi / 2 - 1.0, .omega = 1.0});
+    const Result run = inverse_dynamics(m, {.until = 2.0, .samples = samples});
+    REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+    CHECK(run.summary.energy_balance < 1e-6 * run.summary.energy_exchanged);
+    CHECK(run.summary.singular_positions.size() == 1);
+    CHECK(run["motor.power_W"].cwiseAbs().maxCoeff() < 0.01);
+    // On the branch it came on: the slider goes through the pivot.
+    const Eigen::VectorXd t = run["t_s"], x = run["slider.x_m"];
+    for (Eigen::Index i = 0; i < t.size(); ++i)
+      CHECK(std::abs(x[i] - 0.2 * std::cos(pi / 2 - 1.0 + t[i])) < 1e-9);
+  }
+}
