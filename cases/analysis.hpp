@@ -19,6 +19,7 @@ struct AnalysisOptions {
   RequestOptions request;
   std::string duration = "1s";  // of a motion
   std::string format = "text";
+  bool allow_neutral = false;  // of an equilibrium
 };
 
 /// The verb with CASE, --set, --law, -o, --format, and what `more` adds; it runs `analyse` on the

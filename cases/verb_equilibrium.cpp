@@ -56,9 +56,14 @@ int report(const Equilibrium& e, const RunRequest& request, const AnalysisOption
 
 void add_equilibrium_verb(CLI::App& app, Action& action) {
   add_analysis_verb(
-      app, action, "equilibrium", "Where a case rests under its loads, contacts included", nullptr,
+      app, action, "equilibrium", "Where a case rests under its loads, contacts included",
+      [](CLI::App& verb, AnalysisOptions& options) {
+        verb.add_flag("--allow-neutral", options.allow_neutral,
+                      "Accept an equilibrium that leaves a motion free");
+      },
       [](const Model& model, const RunRequest& request, const AnalysisOptions& options) {
-        return report(equilibrium(model), request, options);
+        return report(equilibrium(model, {.allow_neutral = options.allow_neutral}), request,
+                      options);
       });
 }
 

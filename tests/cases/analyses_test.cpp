@@ -55,6 +55,8 @@ TEST_CASE("the verbs of the analyses run their cases, and say why one does not f
   };
   CHECK(run("kinematics scotch_yoke -o /dev/null/none") == 1);
   CHECK(run("equilibrium hanging_chain --format json") == 0);
+  CHECK(run("equilibrium scotch_yoke --law johnson") == 1);  // the slider is free in its gap
+  CHECK(run("equilibrium scotch_yoke --law johnson --allow-neutral") == 0);
   CHECK(run("modes hanging_chain --set links=3") == 0);
   CHECK(run("modes hanging_chain --about nowhere") == 2);
 }

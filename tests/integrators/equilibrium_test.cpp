@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <yoke/contact/hunt_crossley.hpp>
+#include <yoke/contact/johnson.hpp>
 #include <yoke/contact/lankarani_nikravesh_1994.hpp>
 #include <yoke/integrators/equilibrium.hpp>
 #include <yoke/integrators/modes.hpp>
@@ -242,12 +243,34 @@ TEST_CASE("what nothing holds is refused by its name") {
       equilibrium(ball_over_floor(0.1, law, false), {.allow_neutral = true});
   REQUIRE(allowed.found);
   CHECK(allowed.neutral);
+  CHECK_MESSAGE(mentions(rolls, "allow_neutral, --allow-neutral"), rolls);
   CHECK(mentions(refusal([&] { equilibrium(free, {.loads = {"wind"}}); }),
                  "there is no force 'wind'"));
 }
 
-TEST_CASE("no equilibrium: the body and the force that is left are named") {
-  // A constant torque on a wheel with a spring too weak to hold it within its law's reach.
+TEST_CASE("no equilibrium: the reason names the worst residual, its size and its unit") {
+  const Johnson law(1e11, 1e-4, 1e-3);
+  const double press = 3.0 * law(law.limit()).force;  // the law cannot carry it
+  Model m = ball_over_floor(-1e-6, {law});
+  m.add(AppliedForce{
+      .name = "press", .body = m.find_body("ball"), .at = {0.0, -1e-6}, .force = [press](double) {
+        return Vec2(0.0, -press);
+      }});
+  const Equilibrium e = equilibrium(m);
+  CHECK(!e.found);
+  CHECK(!e.stable);
+  CHECK(e.worst == "ball");
+  CHECK(e.unit == "N");
+  CHECK(std::abs(e.residual) > 1.0);
+  CHECK(e.load > 0.2);
+  CHECK(e.load < 0.4);
+  const std::string left = fmt::format("at {:.3g} % of the loads 'ball' is left with {:.3g} N",
+                                       100.0 * e.load, e.residual);
+  CHECK_MESSAGE(mentions(e.reason, "no equilibrium was found; " + left), e.reason);
+  CHECK_MESSAGE(mentions(e.reason, "Try another start pose"), e.reason);
+}
+
+TEST_CASE("a load that nothing can balance carries its body away, which is named") {
   Model m = ball_over_floor(0.0, {PowerLaw{2e7, 1.5}});
   m.add(applied_force("lift", m.find_body("ball"), {0.0, 0.0},
                       [](auto, const auto& b) { return vec(0.0 * b.x, 8.0 + 0.0 * b.y); }));
