@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,11 +27,12 @@ struct RunRequest {
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation;
   bool plots = true;
-  int jobs = 1;                   // runs at a time
-  bool verify = false;            // run again by another formulation and compare
-  double checkpoint_every = 0.0;  // [s] simulated time; 0: none by time
-  long checkpoint_events = 0;     // 0: none at events
-  bool resume = false;            // go on from the checkpoints in `output`
+  int jobs = 1;                             // runs at a time
+  bool verify = false;                      // run again by another formulation and compare
+  std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
+  double checkpoint_every = 0.0;            // [s] simulated time; 0: none by time
+  long checkpoint_events = 0;               // 0: none at events
+  bool resume = false;                      // go on from the checkpoints in `output`
 };
 
 /// What simulate() is to be told for one run of a request that writes into `folder`.

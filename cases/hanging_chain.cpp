@@ -14,7 +14,7 @@ namespace yoke::cases {
 namespace {
 
 Model model_of(const Parameters& p) {
-  const int links = static_cast<int>(p.number("links"));
+  const int links = p.whole("links");
   const double l = p.number("length") / links, mass = 1.0 / links,
                angle = p.number("angle") - 0.5 * pi;
   Model m;
@@ -45,6 +45,7 @@ Case hanging_chain_case() {
                           .default_text = "1",
                           .low = 1.0,
                           .high = 400.0,
+                          .whole = true,
                           .description = "of the chain; one is the pendulum"},
                          {.name = "length",
                           .quantity = Quantity::length,

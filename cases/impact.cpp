@@ -141,11 +141,17 @@ struct GaugeDescription {
   }
 };
 
+// A contact turns within touch_tolerance of the surface; an impact this much deeper does not feel
+// it: its restitution is wrong by (100)^-5/2 or so.
+constexpr double least_depth = 100.0 * touch_tolerance;  // [m]
+constexpr double greatest_depth = 1e3;                   // [m]
+constexpr double speed_of_light = 299792458.0;           // [m/s]
+
 /// Largest penetration without dissipation: U(d) = m v^2/2. At most the limit of the law.
 double elastic_penetration(const Impact& impact) {
   const ElasticLaw& law = impact.law.elastic;
   const double energy = 0.5 * impact.mass * impact.speed * impact.speed;
-  const double limit = std::min(law.limit(), 1e3);
+  const double limit = std::min(law.limit(), greatest_depth);
   if (!(law.response(limit).energy > energy)) return limit;
   double low = 0.0, high = std::min(limit, 1e-9);
   while (law.response(high).energy < energy) {
@@ -161,8 +167,20 @@ double elastic_penetration(const Impact& impact) {
 
 void check(const Impact& impact) {
   require_positive("impact", "speed", impact.speed, "m/s");
+  require_range("impact", "speed", impact.speed, 0.0, speed_of_light, "m/s");
   require_positive("impact", "mass", impact.mass, "kg");
   require_range("impact", "rtol", impact.relative_tolerance, 1e-13, 1e-2);
+}
+
+/// Refuses a depth that the engine does not resolve or the law does not mean.
+void check_depth(const Impact& impact, double depth) {
+  const bool shallow = depth < least_depth;
+  if (!shallow && depth < greatest_depth) return;
+  throw ModelError(fmt::format(
+      "impact: speed = {:g} m/s with mass = {:g} kg would press {} {:.4g} m into the elastic law; "
+      "accepted is a depth of {:g} to {:g} m: choose a {} speed or mass",
+      impact.speed, impact.mass, shallow ? "only" : "at least", depth, least_depth, greatest_depth,
+      shallow ? "greater" : "smaller"));
 }
 
 const EventRecord& find_event(const Result& run, const char* kind) {
@@ -329,6 +347,7 @@ Impact::Setup setup_named(std::string_view name) {
 ImpactOutcome simulate_impact(const Impact& impact) {
   check(impact);
   const double depth = elastic_penetration(impact);
+  check_depth(impact, depth);
   const Scale scale{depth, impact.law.elastic.response(depth).force, gap_share * depth};
   Scene scene;
   build(scene, impact, scale);

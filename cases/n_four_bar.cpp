@@ -8,9 +8,7 @@ namespace yoke::cases {
 
 namespace {
 
-Model model_of(const Parameters& p) {
-  return n_four_bar({.loops = static_cast<int>(p.number("N"))});
-}
+Model model_of(const Parameters& p) { return n_four_bar({.loops = p.whole("N")}); }
 
 }  // namespace
 
@@ -22,6 +20,7 @@ Case n_four_bar_case() {
                           .default_text = "1",
                           .low = 1.0,
                           .high = 1000.0,
+                          .whole = true,
                           .description = "four-bar loops side by side"},
                          {.name = "duration",
                           .quantity = Quantity::number,

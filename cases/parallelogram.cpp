@@ -11,7 +11,7 @@ namespace yoke::cases {
 namespace {
 
 Model model_of(const Parameters& p) {
-  const int cranks = static_cast<int>(p.number("cranks"));
+  const int cranks = p.whole("cranks");
   const double length = 1.0, radius = 0.3, angle = 1.1, omega = 4.0;
   const Vec2 up = rotate(angle, {radius, 0.0});
   Model m;
@@ -46,6 +46,7 @@ Case parallelogram_case() {
                           .default_text = "3",
                           .low = 2.0,
                           .high = 50.0,
+                          .whole = true,
                           .description = "parallel cranks; two are enough"}},
           .laws = {},
           .default_output = "results/parallelogram",

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <yoke/core/error.hpp>
 
@@ -13,8 +14,8 @@ namespace yoke::cases {
 std::string CaseParameter::range_text() const {
   std::vector<std::string> parts = words;
   if (numeric())
-    parts.push_back(
-        fmt::format("{} to {}", format_quantity(quantity, low), format_quantity(quantity, high)));
+    parts.push_back(fmt::format("{}{} to {}", whole ? "a whole number, " : "",
+                                format_quantity(quantity, low), format_quantity(quantity, high)));
   return fmt::format("{}", fmt::join(parts, " or "));
 }
 
@@ -52,6 +53,9 @@ void Parameters::set(std::string_view name, std::string_view value) {
   if (!(x >= p.low - slack && x <= p.high + slack))
     throw ModelError(fmt::format("{}: {} is out of range; accepted: {}", name,
                                  format_quantity(p.quantity, x), p.range_text()));
+  if (p.whole && x != std::round(x))
+    throw ModelError(
+        fmt::format("{}: {} is not a whole number; accepted: {}", name, value, p.range_text()));
   values_[p.name] = {.number = x, .word = {}};
 }
 
@@ -60,6 +64,10 @@ const Parameters::Value& Parameters::value(std::string_view name) const {
 }
 
 double Parameters::number(std::string_view name) const { return value(name).number; }
+
+int Parameters::whole(std::string_view name) const {
+  return static_cast<int>(std::lround(number(name)));
+}
 
 const std::string& Parameters::word(std::string_view name) const { return value(name).word; }
 

@@ -22,11 +22,12 @@ struct CaseParameter {
   std::string default_text;  // as a user would write it: "45mm"
   double low = 0.0;          // SI; low > high: words only
   double high = -1.0;
+  bool whole = false;  // the number counts something
   std::vector<std::string> words{};
   std::string description;
 
   bool numeric() const { return low <= high; }
-  /// "30 mm to 51.9 mm", "fixed or rolling".
+  /// "30 mm to 51.9 mm", "a whole number, 1 to 400", "fixed or rolling".
   std::string range_text() const;
 };
 
@@ -41,6 +42,7 @@ class Parameters {
   void set(std::string_view name, std::string_view value);
 
   double number(std::string_view name) const;            ///< SI
+  int whole(std::string_view name) const;                ///< of a parameter that counts something
   const std::string& word(std::string_view name) const;  ///< "" if it is a number
   bool is_word(std::string_view name) const { return !word(name).empty(); }
   std::string text(std::string_view name) const;  ///< "45 mm", "fixed"

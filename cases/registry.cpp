@@ -44,6 +44,9 @@ const Case& find_case(std::string_view name) {
 std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws) {
   std::vector<std::string> known, chosen;
   for (const LawNote& note : c.laws) known.push_back(note.name);
+  if (known.empty() && !laws.empty())
+    throw ModelError(fmt::format("--law {}: case '{}' has no contact laws to choose from",
+                                 laws.front(), c.name));
   for (const std::string& law : laws)
     if (std::ranges::find(known, law) == known.end())
       throw ModelError(fmt::format("unknown law '{}'{}", law, suggestion(law, known)));

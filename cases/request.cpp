@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include <yoke/cases/verb.hpp>
@@ -24,6 +25,34 @@ std::string checked_formulation(const std::string& name) {
   if (std::ranges::find(known, name) == known.end())
     throw ModelError(fmt::format("unknown formulation '{}'{}", name, suggestion(name, known)));
   return name;
+}
+
+long checked_events(long n) {
+  if (n < 1) throw ModelError(fmt::format("--checkpoint-events {}: must be at least 1", n));
+  return n;
+}
+
+double checked_interval(const std::string& text) {
+  if (text.empty()) return 0.0;
+  const double every = parse_quantity("--checkpoint", Quantity::time, text);
+  if (!(every > 0.0))
+    throw ModelError(fmt::format("--checkpoint {}: must be greater than 0 s", text));
+  return every;
+}
+
+/// Refused where it would do nothing.
+std::optional<double> checked_spectral_radius(const RequestOptions& o) {
+  if (o.spectral_radius.empty()) return std::nullopt;
+  const double radius = parse_quantity("--spectral-radius", Quantity::number, o.spectral_radius);
+  if (!(radius >= 0.0 && radius <= 0.999))
+    throw ModelError(
+        fmt::format("--spectral-radius {}: accepted is 0 to 0.999", o.spectral_radius));
+  constexpr const char* only = "generalised-alpha";
+  if (o.formulation != only)
+    throw ModelError(fmt::format(
+        "--spectral-radius {}: formulation '{}' has none; it belongs to --formulation {}",
+        o.spectral_radius, o.formulation.empty() ? "automatic" : o.formulation, only));
+  return radius;
 }
 
 void print_case_help(const Case& c) {
@@ -75,9 +104,14 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
                   "Write a checkpoint every so much simulated time, as 0.01s, to go on from with "
                   "'yoke resume DIR'")
       ->type_name("TIME");
-  verb.add_option("--checkpoint-events", o.checkpoint_events,
-                  "Write a checkpoint at every so many contact events")
+  verb.add_option_function<long>(
+          "--checkpoint-events", [&o](long n) { o.checkpoint_events = checked_events(n); },
+          "Write a checkpoint at every so many contact events")
       ->type_name("N");
+  verb.add_option("--spectral-radius", o.spectral_radius,
+                  "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "
+                  "0.8")
+      ->type_name("X");
 }
 
 namespace {
@@ -97,6 +131,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("verify", o.verify);
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
+  visit("spectral_radius", o.spectral_radius);
 }
 
 }  // namespace
@@ -132,6 +167,7 @@ SimulationOptions simulation_options(const RunRequest& request, double until, in
   options.relative_tolerance = request.relative_tolerance;
   options.formulation = request.formulation;
   options.samples = samples;
+  if (request.spectral_radius) options.spectral_radius = *request.spectral_radius;
   if (request.checkpoint_every > 0.0 || request.checkpoint_events > 0)
     options.checkpoints = {.folder = folder / "checkpoint",
                            .every = request.checkpoint_every,
@@ -145,9 +181,6 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
     throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
   if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
-  if (o.checkpoint_events < 0)
-    throw ModelError(
-        fmt::format("--checkpoint-events {}: must be at least 1", o.checkpoint_events));
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return {.parameters = Parameters(c.parameters, o.settings),
@@ -159,9 +192,8 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .plots = !o.no_plots,
           .jobs = o.jobs > 0 ? o.jobs : processors,
           .verify = o.verify,
-          .checkpoint_every = o.checkpoint.empty()
-                                  ? 0.0
-                                  : parse_quantity("--checkpoint", Quantity::time, o.checkpoint),
+          .spectral_radius = checked_spectral_radius(o),
+          .checkpoint_every = checked_interval(o.checkpoint),
           .checkpoint_events = o.checkpoint_events};
 }
 

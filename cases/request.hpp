@@ -24,15 +24,16 @@ struct RequestOptions {
   int jobs = 0;
   bool no_plots = false;
   bool verify = false;
-  std::string checkpoint;  // simulated time between checkpoints, "0.01s"; "": none by time
-  long checkpoint_events = 0;
+  std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
+  long checkpoint_events = 0;   // 0: none by events
+  std::string spectral_radius;  // "": its default
   bool help = false;
 };
 
 /// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
 void add_case_options(CLI::App& verb, RequestOptions& options);
 /// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --verify,
-/// --checkpoint, --checkpoint-events.
+/// --checkpoint, --checkpoint-events, --spectral-radius.
 void add_output_options(CLI::App& verb, RequestOptions& options);
 
 /// Keeps what was typed in FOLDER/run.json, so that `yoke resume FOLDER` can go on.

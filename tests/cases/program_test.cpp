@@ -205,6 +205,74 @@ TEST_SUITE("program") {
     CHECK(contains(message("runn"), "yoke --help"));
   }
 
+  TEST_CASE("what would be passed over in silence is refused by name, value and range") {
+    const Scratch scratch;
+    const auto refused = [&](const std::string& arguments, const std::string& why) {
+      const Outcome outcome = yoke(scratch, arguments);
+      CHECK_MESSAGE(outcome.code == 1, arguments);
+      CHECK_MESSAGE(contains(outcome.out, why), outcome.out);
+    };
+    refused("run hanging_chain --set links=2.5",
+            "links: 2.5 is not a whole number; accepted: a whole number, 1 to 400");
+    refused("run n_four_bar --set N=1.7", "N: 1.7 is not a whole number");
+    refused("run parallelogram --set cranks=3.1", "cranks: 3.1 is not a whole number");
+    refused("run hanging_chain --law hertz",
+            "--law hertz: case 'hanging_chain' has no contact laws to choose from");
+    refused("run hanging_chain --checkpoint 0s", "--checkpoint 0s: must be greater than 0 s");
+    refused("run hanging_chain --checkpoint=-1s", "--checkpoint -1s: must be greater than 0 s");
+    refused("run hanging_chain --checkpoint-events 0", "--checkpoint-events 0: must be at least 1");
+    refused("run hanging_chain --spectral-radius 0.5",
+            "--spectral-radius 0.5: formulation 'automatic' has none; it belongs to --formulation "
+            "generalised-alpha");
+    refused("run hanging_chain --formulation ida-ggl --spectral-radius 0.5",
+            "formulation 'ida-ggl' has none");
+    refused("run hanging_chain --formulation generalised-alpha --spectral-radius 1",
+            "--spectral-radius 1: accepted is 0 to 0.999");
+    CHECK(!fs::exists(scratch.path / "results"));
+  }
+
+  TEST_CASE("--spectral-radius reaches generalised-alpha, also in a resumed run") {
+    const Scratch scratch;
+    const std::string run =
+        "run hanging_chain --formulation generalised-alpha --rtol 1e-5 --no-plots --samples 11 ";
+    CHECK(yoke(scratch, run + "-o default").code == 0);
+    CHECK(yoke(scratch, run + "--spectral-radius 0.8 -o same").code == 0);
+    CHECK(yoke(scratch, run + "--spectral-radius 0.3 --checkpoint 1s -o damped").code == 0);
+    const auto steps = [&](const char* folder) {
+      return nlohmann::json::parse(content(scratch.path / folder / "summary.json")).at("steps");
+    };
+    CHECK(content(scratch.path / "default/motion.csv") ==
+          content(scratch.path / "same/motion.csv"));
+    CHECK(steps("damped") != steps("default"));
+    CHECK(yoke(scratch, "resume damped").code == 0);
+    CHECK(nlohmann::json::parse(content(scratch.path / "damped/run.json"))["spectral_radius"] ==
+          "0.3");
+  }
+
+  TEST_CASE("an impact that is not resolved or beyond every law is refused in words") {
+    const Scratch scratch;
+    const std::string law = "impact --elastic power:K=1e8,n=1.5 ";
+    const auto refused = [&](const std::string& arguments, const std::string& why) {
+      const Outcome outcome = yoke(scratch, arguments);
+      CHECK_MESSAGE(outcome.code == 1, arguments);
+      CHECK_MESSAGE(contains(outcome.out, why), outcome.out);
+    };
+    for (const char* fast : {"1e300", "1e20"})
+      refused(law + "--mass 1 --speed " + fast,
+              "m/s is outside the accepted range 0 to 2.99792e+08 m/s");
+    refused(law + "--mass 1e30 --speed 1",
+            "speed = 1 m/s with mass = 1e+30 kg would press at least 1000 m into the elastic law; "
+            "accepted is a depth of 1e-09 to 1000 m: choose a smaller speed or mass");
+    refused(law + "--mass 1 --speed 1e-9", "would press only 4.353e-11 m into the elastic law");
+    const Outcome slow = yoke(scratch, law + "--mass 1 --speed 1e-7 --format json");
+    CHECK(slow.code == 0);
+    CHECK(nlohmann::json::parse(slow.out)["restitution"]["engine"].get<double>() ==
+          doctest::Approx(1.0).epsilon(1e-4));
+    const Outcome range = yoke(scratch, law + "--mass 1 --speed 1 --restitution 2");
+    CHECK(range.out ==
+          "yoke: command line: --restitution = 2 is outside the accepted range 0 to 1\n");
+  }
+
   TEST_CASE("a folder that cannot be written is named before anything runs") {
     const Scratch scratch;
     const Outcome file = yoke(scratch, "run scotch_yoke -o taken/out", "touch taken; ");
