@@ -77,5 +77,7 @@ struct FormulationEntry {
 
 /// All formulations, the default first.
 const std::vector<FormulationEntry>& formulation_registry();
+/// Throws ModelError that lists the names there are.
+const FormulationEntry& find_formulation(std::string_view name);
 
 }  // namespace yoke

@@ -40,6 +40,15 @@ const std::vector<FormulationEntry>& formulation_registry() {
   return entries;
 }
 
+const FormulationEntry& find_formulation(std::string_view name) {
+  std::string known = "'automatic'";
+  for (const FormulationEntry& entry : formulation_registry()) {
+    if (entry.name == name) return entry;
+    known += fmt::format(", '{}'", entry.name);
+  }
+  throw ModelError(fmt::format("unknown formulation '{}': there are {}", name, known));
+}
+
 std::vector<FormulationNote> formulations() {
   std::vector<FormulationNote> notes;
   for (const FormulationEntry& e : formulation_registry())
