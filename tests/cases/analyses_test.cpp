@@ -2,19 +2,15 @@
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include <yoke/cases/case.hpp>
 #include <yoke/tests/cases/analyses_example.hpp>
+#include <yoke/tests/documentation.hpp>
 
 namespace {
-
-std::string text(const std::string& path) {
-  std::ifstream file(std::string(YOKE_SOURCE_DIR "/") + path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 yoke::Model model_of(const char* name) {
   const yoke::cases::Case& c = yoke::cases::find_case(name);
@@ -24,15 +20,7 @@ yoke::Model model_of(const char* name) {
 }  // namespace
 
 TEST_CASE("the code in docs/analyses.md is compiled here and does what it says") {
-  const std::string document = text("docs/analyses.md");
-  const std::string compiled = text("tests/cases/analyses_example.hpp");
-  int blocks = 0;
-  for (std::size_t at = 0; (at = document.find("```cpp\n", at)) != std::string::npos; ++blocks) {
-    at += 7;
-    const std::string block = document.substr(at, document.find("```\n", at) - at);
-    CHECK_MESSAGE(compiled.find(block) != std::string::npos, block);
-  }
-  CHECK(blocks == 5);
+  yoke::tests::check_blocks("docs/analyses.md", "cpp", 5, {"tests/cases/analyses_example.hpp"});
 
   using namespace yoke;
   const Model driven = model_of("slider_crank"), pendulum = model_of("hanging_chain");

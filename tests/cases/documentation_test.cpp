@@ -3,13 +3,10 @@
 //
 // The code printed in the documents is code that is compiled here, word for word, and runs.
 #include <doctest/doctest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,6 +15,7 @@
 #include <yoke/tests/cases/adding_a_law_example.hpp>
 #include <yoke/tests/cases/authoring_example.hpp>
 #include <yoke/tests/cases/embedding_example.hpp>
+#include <yoke/tests/documentation.hpp>
 
 // The README's program is a main of its own.
 #define main readme_main
@@ -26,71 +24,28 @@
 
 namespace {
 
+using namespace yoke::tests;
 namespace fs = std::filesystem;
-
-const fs::path root = YOKE_SOURCE_DIR;
-
-std::string content(const fs::path& path) {
-  std::ifstream file(root / path);
-  REQUIRE_MESSAGE(file.good(), path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// What stands between ```language and ``` in a Markdown file.
-std::vector<std::string> blocks(const fs::path& document, const std::string& language) {
-  std::vector<std::string> found;
-  std::istringstream lines(content(document));
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "```" + language) {
-      inside = true;
-      found.emplace_back();
-    } else if (line == "```") {
-      inside = false;
-    } else if (inside) {
-      found.back() += line + "\n";
-    }
-  }
-  return found;
-}
-
-/// Every block of the document stands in one of the files.
-void check_blocks(const fs::path& document, const std::string& language, std::size_t at_least,
-                  const std::vector<fs::path>& files) {
-  const std::vector<std::string> printed = blocks(document, language);
-  CHECK(printed.size() >= at_least);
-  for (const std::string& block : printed) {
-    INFO(document.string() << ", not compiled anywhere:\n" << block);
-    CHECK(std::ranges::any_of(files, [&](const fs::path& file) {
-      return content(file).find(block) != std::string::npos;
-    }));
-  }
-}
 
 /// Works in a folder of its own, removed at the end.
 class Elsewhere {
  public:
-  Elsewhere() : before_(fs::current_path()) {
-    std::string name = (fs::temp_directory_path() / "yoke-docs-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    folder_ = name;
-    fs::current_path(folder_);
-  }
+  Elsewhere() : before_(fs::current_path()) { fs::current_path(folder_.path()); }
   ~Elsewhere() {
     std::error_code ignored;
     fs::current_path(before_, ignored);
-    fs::remove_all(folder_, ignored);
   }
 
  private:
-  fs::path before_, folder_;
+  TemporaryFolder folder_;
+  fs::path before_;
 };
 
 }  // namespace
 
 TEST_CASE("the program in README.md is the one compiled here, and runs") {
-  const std::string compiled = content("tests/cases/readme_example.hpp");
-  const std::vector<std::string> printed = blocks("README.md", "cpp");
+  const std::string compiled = source("tests/cases/readme_example.hpp");
+  const std::vector<std::string> printed = code_blocks("README.md", "cpp");
   REQUIRE(printed.size() == 1);
   CHECK(printed[0] == compiled.substr(compiled.find("#include")));
 
@@ -195,12 +150,11 @@ TEST_CASE("the code in docs/adding_a_law.md is compiled here, its entries fit th
   check_blocks("docs/adding_a_law.md", "cpp", 8, {example});
   for (const fs::path catalog :
        {"contact/elastic_catalog.cpp", "contact/dissipative_catalog.cpp"}) {
-    const std::string source = content(catalog);
-    const std::size_t begin = source.find("struct Entry {");
+    const std::string text = source(catalog);
+    const std::size_t begin = text.find("struct Entry {");
     REQUIRE(begin != std::string::npos);
     INFO(catalog.string());
-    CHECK(content(example).find(source.substr(begin, source.find("};", begin) - begin)) !=
-          std::string::npos);
+    CHECK(contains(source(example), text.substr(begin, text.find("};", begin) - begin)));
   }
 }
 

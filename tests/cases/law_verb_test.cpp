@@ -17,11 +17,14 @@
 #include <string>
 #include <vector>
 
+#include <yoke/tests/files.hpp>
+#include <yoke/tests/messages.hpp>
+
 extern char** environ;
 
 namespace {
 
-namespace fs = std::filesystem;
+using namespace yoke::tests;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -30,34 +33,19 @@ struct Outcome {
   std::string out, err;
 };
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-Outcome yoke(const std::string& arguments) {
-  std::string folder = (fs::temp_directory_path() / "yoke-test-XXXXXX").string();
-  REQUIRE(mkdtemp(folder.data()) != nullptr);
+Outcome run_yoke(const std::string& arguments) {
+  const TemporaryFolder folder;
   std::string shell = "sh", flag = "-c";
-  std::string text =
-      "cd '" + folder + "' && exec '" YOKE_BINARY_DIR "/yoke' " + arguments + " >out 2>err";
+  std::string text = "cd '" + folder.path().string() + "' && exec '" YOKE_BINARY_DIR "/yoke' " +
+                     arguments + " >out 2>err";
   char* words[] = {shell.data(), flag.data(), text.data(), nullptr};
   pid_t child = 0;
   REQUIRE(posix_spawnp(&child, "sh", nullptr, nullptr, words, environ) == 0);
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
-  Outcome outcome{.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-                  .out = content(fs::path(folder) / "out"),
-                  .err = content(fs::path(folder) / "err")};
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-  return outcome;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .out = content(folder / "out"),
+          .err = content(folder / "err")};
 }
 
 struct Csv {
@@ -67,7 +55,7 @@ struct Csv {
 };
 
 Csv csv(const std::string& arguments) {
-  const Outcome run = yoke(arguments);
+  const Outcome run = run_yoke(arguments);
   REQUIRE_MESSAGE(run.code == 0, run.err);
   Csv table;
   std::stringstream text(run.out);
@@ -85,7 +73,7 @@ Csv csv(const std::string& arguments) {
 }
 
 nlohmann::json json(const std::string& arguments) {
-  const Outcome run = yoke(arguments + " --format json");
+  const Outcome run = run_yoke(arguments + " --format json");
   REQUIRE_MESSAGE(run.code == 0, run.err);
   return nlohmann::json::parse(run.out);
 }
@@ -108,7 +96,7 @@ const std::string spring = " --elastic power:K=1e8,n=1.5";
 
 TEST_SUITE("law verb") {
   TEST_CASE("every name of the contract is listed and shown") {
-    const Outcome list = yoke("law list");
+    const Outcome list = run_yoke("law list");
     CHECK(list.code == 0);
     for (const std::string name : {"hertz",
                                    "lankarani-nikravesh",
@@ -137,13 +125,13 @@ TEST_SUITE("law verb") {
                                    "gharib-hurmuzlu-2",
                                    "hu-guo"}) {
       CHECK_MESSAGE(contains(list.out, "  " + name + " "), name);
-      const Outcome show = yoke("law show " + name);
+      const Outcome show = run_yoke("law show " + name);
       CHECK_MESSAGE(show.code == 0, name);
       CHECK_MESSAGE(show.out.starts_with(name + " ("), show.out);
       CHECK_MESSAGE(contains(show.out, "formula"), name);
     }
     // One name, two laws.
-    const Outcome both = yoke("law show lankarani-nikravesh");
+    const Outcome both = run_yoke("law show lankarani-nikravesh");
     CHECK(contains(both.out, "lankarani-nikravesh (elastic)"));
     CHECK(contains(both.out, "lankarani-nikravesh (dissipative)"));
   }
@@ -197,11 +185,11 @@ TEST_SUITE("law verb") {
   }
 
   TEST_CASE("a tabulated reading warns on stderr and leaves the columns alone") {
-    const Outcome odd = yoke("law eval --elastic goldsmith --reading tabulated" + round_pair);
+    const Outcome odd = run_yoke("law eval --elastic goldsmith --reading tabulated" + round_pair);
     CHECK(odd.code == 0);
     CHECK(odd.out.starts_with(columns + "\n"));
     CHECK_MESSAGE(odd.err.starts_with("yoke: warning: goldsmith (tabulated): "), odd.err);
-    const Outcome quiet = yoke("law eval --elastic goldsmith" + round_pair);
+    const Outcome quiet = run_yoke("law eval --elastic goldsmith" + round_pair);
     CHECK(quiet.code == 0);
     CHECK(quiet.err.empty());
   }
@@ -230,7 +218,7 @@ TEST_SUITE("law verb") {
     CHECK(upper["samples"] == 901);
     CHECK(upper["max_relative_error"] < 0.1 * double(johnson["max_relative_error"]));
     CHECK(upper["relative_error_at_small_load"] < -0.1);  // at 1 N, outside
-    const Outcome text = yoke("law fit --max-load 1000" + spring);
+    const Outcome text = run_yoke("law fit --max-load 1000" + spring);
     CHECK(contains(text.out, "N/m^n"));
   }
 
@@ -272,7 +260,8 @@ TEST_SUITE("law verb") {
         "restitution_asked,restitution_closed_form,restitution_engine,max_penetration_m,"
         "max_force_N,duration_s,dissipated_J"));
     CHECK(table.rows.size() == 1);
-    CHECK(contains(yoke(impact + " --restitution 0.7 --dissipation flores").out, "restitution"));
+    CHECK(
+        contains(run_yoke(impact + " --restitution 0.7 --dissipation flores").out, "restitution"));
     // A law without a closed form says so.
     CHECK(json("impact --speed 0.37 --mass 1.3 --elastic power:K=1e8,n=1 --dissipation lee-wang-2 "
                "--restitution 0.5")["restitution"]["closed_form"]
@@ -283,8 +272,8 @@ TEST_SUITE("law verb") {
     const std::string folder = YOKE_BINARY_DIR "/results/loop_test";
     std::filesystem::remove_all(folder);
     const Outcome drawn =
-        yoke("impact --speed 0.37 --mass 1.3" + spring +
-             " --dissipation flores --restitution 0.7 --format json --plot -o " + folder);
+        run_yoke("impact --speed 0.37 --mass 1.3" + spring +
+                 " --dissipation flores --restitution 0.7 --format json --plot -o " + folder);
     CHECK(drawn.code == 0);
     const nlohmann::json numbers = nlohmann::json::parse(drawn.out);
     std::ifstream file(folder + "/loop.csv");
@@ -312,7 +301,7 @@ TEST_SUITE("law verb") {
 
   TEST_CASE("mistakes are explained and end with a failure") {
     const auto message = [](const std::string& arguments) {
-      const Outcome outcome = yoke(arguments);
+      const Outcome outcome = run_yoke(arguments);
       CHECK_MESSAGE(outcome.code != 0, arguments);
       CHECK_MESSAGE(outcome.out.empty(), outcome.out);
       CHECK_MESSAGE(outcome.err.starts_with("yoke: "), outcome.err);

@@ -3,46 +3,22 @@
 //
 // The code printed in docs/numerics.md is compiled here, and does what the page says.
 #include <doctest/doctest.h>
-#include <stdlib.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <yoke/tests/cases/numerics_example.hpp>
+#include <yoke/tests/documentation.hpp>
 
-namespace {
-
-namespace fs = std::filesystem;
-
-std::string content(const fs::path& path) {
-  std::ifstream file(fs::path(YOKE_SOURCE_DIR) / path);
-  REQUIRE_MESSAGE(file.good(), path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace
+using namespace yoke::tests;
 
 TEST_CASE("the code in docs/numerics.md is compiled here") {
-  const std::string document = content("docs/numerics.md");
-  const std::string compiled = content("tests/cases/numerics_example.hpp");
-  int blocks = 0;
-  const std::string fence = "```cpp\n";
-  for (std::size_t at = document.find(fence); at != std::string::npos;
-       at = document.find(fence, at), ++blocks) {
-    at += fence.size();
-    const std::string block = document.substr(at, document.find("```", at) - at);
-    INFO(block);
-    CHECK(compiled.find(block) != std::string::npos);
-  }
-  CHECK(blocks == 4);
+  check_blocks("docs/numerics.md", "cpp", 4, {"tests/cases/numerics_example.hpp"});
 }
 
 TEST_CASE("docs/numerics.md lists every formulation") {
-  const std::string document = content("docs/numerics.md");
+  const std::string document = source("docs/numerics.md");
   for (const yoke::FormulationNote& f : yoke::formulations())
-    CHECK_MESSAGE(document.find(fmt::format("`{}`", f.name)) != std::string::npos, f.name);
+    CHECK_MESSAGE(contains(document, fmt::format("`{}`", f.name)), f.name);
 }
 
 TEST_CASE("docs/numerics.md: choice, second opinion, events and checkpoints") {
@@ -56,10 +32,8 @@ TEST_CASE("docs/numerics.md: choice, second opinion, events and checkpoints") {
   CHECK(run.events.front().element == "upright");
   CHECK(run.summary.energy_balance < 1e-6 * run.summary.energy_exchanged);
 
-  std::string name = (fs::temp_directory_path() / "yoke-docs-XXXXXX").string();
-  REQUIRE(mkdtemp(name.data()) != nullptr);
-  const Result whole = long_run(bench(), name);
-  const Result resumed = after_a_kill(bench(), name);
+  const TemporaryFolder folder;
+  const Result whole = long_run(bench(), folder.path());
+  const Result resumed = after_a_kill(bench(), folder.path());
   CHECK(whole.samples.data() == resumed.samples.data());
-  fs::remove_all(name);
 }

@@ -17,32 +17,15 @@
 #include <thread>
 #include <vector>
 
+#include <yoke/tests/files.hpp>
+#include <yoke/tests/messages.hpp>
+
 extern char** environ;
 
 namespace {
 
+using namespace yoke::tests;
 namespace fs = std::filesystem;
-
-/// A folder of its own, removed at the end.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "yoke-test-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> lines(const fs::path& path) {
   std::vector<std::string> all;
@@ -80,15 +63,12 @@ int wait_for(pid_t child) {
 const std::string program = "exec '" YOKE_BINARY_DIR "/yoke'";
 
 /// Runs the program in a folder; `before` is shell code.
-Outcome yoke(const Scratch& scratch, const std::string& arguments, const std::string& before = "") {
-  const fs::path log = scratch.path / "log";
-  const int code = wait_for(start("cd '" + scratch.path.string() + "'; " + before + program + " " +
-                                  arguments + " >'" + log.string() + "' 2>&1"));
+Outcome yoke(const TemporaryFolder& scratch, const std::string& arguments,
+             const std::string& before = "") {
+  const fs::path log = scratch / "log";
+  const int code = wait_for(start("cd '" + scratch.path().string() + "'; " + before + program +
+                                  " " + arguments + " >'" + log.string() + "' 2>&1"));
   return {code, content(log)};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// Whole rows only, as many cells in each as in the header. Returns the number of rows.
@@ -104,14 +84,14 @@ std::size_t check_rows(const fs::path& path) {
 
 TEST_SUITE("program") {
   TEST_CASE("a short run writes the files and columns that scripts rely on") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const Outcome run = yoke(scratch,
                              "run scotch_yoke -o out --samples 101 --law johnson --no-plots "
                              "--law table11-goldsmith --set revolutions=0.25");
     CHECK(run.code == 0);
     CHECK(contains(run.out, "out/LAW/{motion.csv,events.csv,summary.json}"));
     for (const char* law : {"johnson", "table11-goldsmith"}) {
-      const fs::path folder = scratch.path / "out" / law;
+      const fs::path folder = scratch / "out" / law;
       CHECK(check_rows(folder / "motion.csv") == 101);
       const std::vector<std::string> header = cells(lines(folder / "motion.csv").front());
       for (const char* column :
@@ -139,18 +119,17 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("the same run gives the same bytes, on one thread or two") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const std::string run = "run scotch_yoke --samples 201 --set revolutions=0.3 --no-plots -o ";
     CHECK(yoke(scratch, run + "one --jobs 1").code == 0);
     CHECK(yoke(scratch, run + "two --jobs 2").code == 0);
     for (const char* law : {"table11-lankarani-nikravesh", "johnson-10mm"})
       for (const char* file : {"motion.csv", "events.csv"})
-        CHECK(content(scratch.path / "one" / law / file) ==
-              content(scratch.path / "two" / law / file));
+        CHECK(content(scratch / "one" / law / file) == content(scratch / "two" / law / file));
   }
 
   TEST_CASE("plots are drawn, or their absence is explained") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const std::string run = "run scotch_yoke -o out --set revolutions=1 --law table11-johnson";
     const bool gnuplot = std::system("command -v gnuplot >/dev/null") == 0;
     if (gnuplot) {
@@ -159,8 +138,8 @@ TEST_SUITE("program") {
       for (const char* name :
            {"figure11", "figure12", "figure13", "figure14", "figure15", "figure16", "mechanism"})
         for (const char* kind : {".png", ".svg", ".gp"})
-          CHECK_MESSAGE(
-              fs::file_size(scratch.path / "out/plots" / (std::string(name) + kind)) > 500, name);
+          CHECK_MESSAGE(fs::file_size(scratch / "out/plots" / (std::string(name) + kind)) > 500,
+                        name);
       CHECK(!contains(drawn.out, "failed"));
     }
     const Outcome without = yoke(scratch, run, "PATH=/nowhere; ");
@@ -170,7 +149,7 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("help, list and version") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const Outcome help = yoke(scratch, "run scotch_yoke --help");
     CHECK(help.code == 0);
     for (const char* text : {"crank_length", "default 45mm; 1 mm to 51.9 mm; units mm, cm, m, um",
@@ -186,7 +165,7 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("mistakes on the command line are explained and end with a failure") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const auto message = [&](const std::string& arguments) {
       const Outcome outcome = yoke(scratch, arguments);
       CHECK_MESSAGE(outcome.code != 0, arguments);
@@ -274,7 +253,7 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("a folder that cannot be written is named before anything runs") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const Outcome file = yoke(scratch, "run scotch_yoke -o taken/out", "touch taken; ");
     CHECK(file.code == 1);
     CHECK(contains(file.out, "cannot make the output folder 'taken/out'"));
@@ -287,9 +266,9 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("Ctrl-C leaves what was computed, readable") {
-    const Scratch scratch;
-    const fs::path log = scratch.path / "log";
-    const pid_t child = start("cd '" + scratch.path.string() + "'; " + program +
+    const TemporaryFolder scratch;
+    const fs::path log = scratch / "log";
+    const pid_t child = start("cd '" + scratch.path().string() + "'; " + program +
                               " run scotch_yoke -o out --set revolutions=2000 --samples 20001 "
                               "--law table11-johnson --law johnson >'" +
                               log.string() + "' 2>&1");
@@ -297,7 +276,7 @@ TEST_SUITE("program") {
     kill(child, SIGINT);
     CHECK(wait_for(child) == 130);
     CHECK(contains(content(log), "interrupted at t = "));
-    const fs::path folder = scratch.path / "out" / "table11-johnson";
+    const fs::path folder = scratch / "out" / "table11-johnson";
     const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
     CHECK(summary["stop"] == "interrupted");
     const std::size_t rows = check_rows(folder / "motion.csv");
@@ -309,39 +288,39 @@ TEST_SUITE("program") {
 
   // A limit on the size of files acts as a full disk does.
   TEST_CASE("a killed run goes on from its checkpoint and ends with the same bytes") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const std::string run =
         "run scotch_yoke --law table11-johnson --samples 201 --set revolutions=1 --no-plots "
         "--checkpoint 0.01s -o ";
     CHECK(yoke(scratch, run + "whole").code == 0);
     const pid_t child =
-        start("cd '" + scratch.path.string() + "'; " + program + " " + run + "cut >log 2>&1");
-    const fs::path checkpoint = scratch.path / "cut/table11-johnson/checkpoint/checkpoint.bin";
+        start("cd '" + scratch.path().string() + "'; " + program + " " + run + "cut >log 2>&1");
+    const fs::path checkpoint = scratch / "cut/table11-johnson/checkpoint/checkpoint.bin";
     for (int i = 0; i < 2000 && !fs::exists(checkpoint); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(child, SIGKILL);
     wait_for(child);
     CHECK(yoke(scratch, "resume cut").code == 0);
     for (const char* file : {"motion.csv", "events.csv"})
-      CHECK(content(scratch.path / "cut/table11-johnson" / file) ==
-            content(scratch.path / "whole/table11-johnson" / file));
+      CHECK(content(scratch / "cut/table11-johnson" / file) ==
+            content(scratch / "whole/table11-johnson" / file));
     const Outcome nothing = yoke(scratch, "resume nowhere");
     CHECK(nothing.code == 1);
     CHECK(contains(nothing.out, "there is no 'nowhere/run.json'"));
   }
 
   TEST_CASE("every case verifies and writes checkpoints") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     CHECK(yoke(scratch, "run point_pendulum --verify --checkpoint 0.5s --no-plots -o out").code ==
           0);
-    const auto summary = nlohmann::json::parse(content(scratch.path / "out/summary.json"));
+    const auto summary = nlohmann::json::parse(content(scratch / "out/summary.json"));
     CHECK(summary.at("verification").at("digits").size() > 10);
-    CHECK(fs::exists(scratch.path / "out/checkpoint/checkpoint.bin"));
+    CHECK(fs::exists(scratch / "out/checkpoint/checkpoint.bin"));
     CHECK(yoke(scratch, "resume out").code == 0);
   }
 
   TEST_CASE("--verify writes how many digits of each quantity agree") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const Outcome outcome =
         yoke(scratch,
              "run scotch_yoke --law table11-johnson --samples 101 --set revolutions=0.3 --no-plots "
@@ -349,7 +328,7 @@ TEST_SUITE("program") {
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "digits that agree with ida-ggl at a tolerance of 1e-12"));
     const auto summary =
-        nlohmann::json::parse(content(scratch.path / "out/table11-johnson/summary.json"));
+        nlohmann::json::parse(content(scratch / "out/table11-johnson/summary.json"));
     CHECK(summary.at("formulation") == "arkode-projection");
     CHECK(summary.at("verification").at("formulation") == "ida-ggl");
     CHECK(summary["verification"]["same_events"] == true);
@@ -358,12 +337,12 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("a full disk leaves whole rows and is reported") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const Outcome full =
         yoke(scratch, "run scotch_yoke -o out --law johnson --no-plots", "ulimit -f 200; ");
     CHECK(full.code == 1);
     CHECK(contains(full.out, "cannot write 'out/johnson/motion.csv': "));
-    const fs::path folder = scratch.path / "out" / "johnson";
+    const fs::path folder = scratch / "out" / "johnson";
     CHECK(nlohmann::json::parse(content(folder / "summary.json"))["stop"] == "completed");
     const std::size_t rows = check_rows(folder / "motion.csv");
     CHECK(rows > 100);

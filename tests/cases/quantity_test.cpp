@@ -5,19 +5,15 @@
 #include <yoke/cases/quantity.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/units.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke::cases;
 using namespace yoke::literals;
 
-std::string message_of(Quantity quantity, std::string_view text) {
-  try {
-    parse_quantity("name", quantity, text);
-  } catch (const yoke::ModelError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string refusal(Quantity quantity, std::string_view text) {
+  return yoke::tests::message_of([&] { parse_quantity("name", quantity, text); });
 }
 
 TEST_SUITE("quantities") {
@@ -37,17 +33,17 @@ TEST_SUITE("quantities") {
   }
 
   TEST_CASE("a wrong quantity is explained") {
-    CHECK(message_of(Quantity::length, "45") == "name: '45' has no unit; accepted: mm, cm, m, um");
-    CHECK(message_of(Quantity::length, "45deg") ==
+    CHECK(refusal(Quantity::length, "45") == "name: '45' has no unit; accepted: mm, cm, m, um");
+    CHECK(refusal(Quantity::length, "45deg") ==
           "name: '45deg' has the unit 'deg'; accepted: mm, cm, m, um");
-    CHECK(message_of(Quantity::number, "2s") ==
+    CHECK(refusal(Quantity::number, "2s") ==
           "name: '2s' has the unit 's'; accepted: a plain number");
-    CHECK(message_of(Quantity::length, "mm") == "name: 'mm' does not start with a finite number");
-    CHECK(message_of(Quantity::length, "nanmm") ==
+    CHECK(refusal(Quantity::length, "mm") == "name: 'mm' does not start with a finite number");
+    CHECK(refusal(Quantity::length, "nanmm") ==
           "name: 'nanmm' does not start with a finite number");
-    CHECK(message_of(Quantity::length, "1e999mm") ==
+    CHECK(refusal(Quantity::length, "1e999mm") ==
           "name: '1e999mm' does not start with a finite number");
-    CHECK(message_of(Quantity::length, "") == "name: '' does not start with a finite number");
+    CHECK(refusal(Quantity::length, "") == "name: '' does not start with a finite number");
   }
 
   TEST_CASE("values are printed in the unit people draw in") {

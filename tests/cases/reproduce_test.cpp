@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -21,6 +20,8 @@
 #include <yoke/contact/gonthier.hpp>
 #include <yoke/contact/hertz.hpp>
 #include <yoke/contact/power_fit.hpp>
+#include <yoke/tests/files.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
 using doctest::Approx;
@@ -28,12 +29,6 @@ using doctest::Approx;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::string content(const std::string& path) {
-  std::ifstream file(std::string(YOKE_SOURCE_DIR "/") + path);
-  REQUIRE_MESSAGE(file.good(), path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Steel, a pin of 20 mm in a bore of 24 mm, everything times `scale`; length 10 mm times `scale`.
 ElasticLaw scaled(const char* name, Reading reading, double scale = 1.0) {
@@ -252,7 +247,7 @@ TEST_CASE("the figures of the paper made again: files, and values known in close
       std::filesystem::path(YOKE_BINARY_DIR) / "results" / "figures_test";
   std::filesystem::remove_all(folder);
   const std::string said = cases::write_figures(folder);
-  const bool drawn = said.find("gnuplot is not installed") == std::string::npos;
+  const bool drawn = !tests::contains(said, "gnuplot is not installed");
   for (const char* name : {"figure2", "figure3", "figure5", "figure6", "figure7", "figure10",
                            "figure15", "hysteresis"}) {
     INFO(name);
@@ -347,7 +342,7 @@ TEST_CASE("errata: inertia of the scotch-yoke's pin is about its own centre") {
 }
 
 TEST_CASE("every test named in docs/errata.md exists") {
-  std::istringstream lines(content("docs/errata.md"));
+  std::istringstream lines(tests::source("docs/errata.md"));
   int named = 0;
   for (std::string line; std::getline(lines, line);) {  // | [key] | "name" | `file` |
     const std::size_t open = line.find("| \""), close = line.find("\" | `");
@@ -355,10 +350,10 @@ TEST_CASE("every test named in docs/errata.md exists") {
       continue;
     const std::string name = line.substr(open + 3, close - open - 3);
     const std::size_t path = close + 5;
-    std::string source = content(line.substr(path, line.find('`', path) - path));
+    std::string source = tests::source(line.substr(path, line.find('`', path) - path));
     std::erase(source, '\n');
     INFO(name);
-    CHECK(source.find("\"" + name + "\"") != std::string::npos);
+    CHECK(tests::contains(source, "\"" + name + "\""));
     ++named;
   }
   CHECK(named >= 15);

@@ -2,27 +2,18 @@
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
-#include <string>
+#include <cmath>
+#include <utility>
 
 #include <yoke/cases/case.hpp>
 #include <yoke/core/dynamics.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/tests/cases/start_example.hpp>
+#include <yoke/tests/documentation.hpp>
 
 TEST_CASE("the code in docs/start_and_redundancy.md is compiled here and does what it says") {
   using namespace yoke;
-  const auto text = [](const std::string& path) {
-    std::ifstream file(std::string(YOKE_SOURCE_DIR "/") + path);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  const std::string document = text("docs/start_and_redundancy.md");
-  const std::size_t begin = document.find("```cpp\n");
-  REQUIRE(begin != std::string::npos);
-  const std::string block =
-      document.substr(begin + 7, document.find("```\n", begin + 7) - begin - 7);
-  CHECK(text("tests/cases/start_example.hpp").find(block) != std::string::npos);
+  tests::check_blocks("docs/start_and_redundancy.md", "cpp", 1, {"tests/cases/start_example.hpp"});
 
   Model m;
   const BodyId upper =

@@ -19,7 +19,7 @@
 #include "test_laws.hpp"
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 using doctest::Approx;
 using Event = ContactElement::Event;
 

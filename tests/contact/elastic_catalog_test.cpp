@@ -14,24 +14,13 @@
 #include <yoke/contact/elastic_catalog.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/types.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
+using namespace yoke::tests;
 using doctest::Approx;
 
 namespace {
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A pin of 7 mm in a bore of 11 mm or on a wheel of it, 3 mm long.
 ElasticArguments some(Conformity conformity, Reading reading) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -14,24 +13,13 @@
 #include <yoke/contact/table11.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/types.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
+using namespace yoke::tests;
 using doctest::Approx;
 
 namespace {
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Johnson's law as he gives it: penetration of force.
 double johnson_penetration(double force, const Johnson& law) {

@@ -15,8 +15,10 @@
 #include <yoke/core/error.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
+using namespace yoke::tests;
 
 namespace {
 
@@ -55,10 +57,6 @@ struct Short {
   double limit() const { return 0.06e-3; }
   std::string name() const { return "short"; }
 };
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -14,12 +14,13 @@
 #include <yoke/contact/power_law.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/core/units.hpp>
+#include <yoke/tests/messages.hpp>
 
 #include "scene.hpp"
 #include "test_laws.hpp"
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 using namespace yoke::literals;
 using doctest::Approx;
 
@@ -328,7 +329,7 @@ TEST_CASE("penetration beyond a law's range stops the run with a reason") {
   CHECK(scene.event_functions()[ContactElement::limit] > 0.0);
   scene.handle(ContactElement::limit);
   CHECK(scene.failure.find("outer: at t = 0 s the penetration 0.03") == 0);
-  CHECK(scene.failure.find("'johnson") != std::string::npos);
+  CHECK(contains(scene.failure, "'johnson"));
   scene.failure.clear();
   scene.memory = {};
   scene.initialise();

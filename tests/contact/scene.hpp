@@ -13,7 +13,7 @@
 
 #include <yoke/core/force.hpp>
 
-namespace yoke::test {
+namespace yoke::tests {
 
 using Row6 = std::array<double, 6>;
 
@@ -92,4 +92,4 @@ struct Scene {
   mutable Motion motion_{};  // ForceInput refers to one
 };
 
-}  // namespace yoke::test
+}  // namespace yoke::tests

@@ -13,8 +13,8 @@
 #include <yoke/contact/lee_wang_2.hpp>
 #include <yoke/contact/tsuji.hpp>
 
-namespace yoke::test {
+namespace yoke::tests {
 
 using PermanentSet = LankaraniNikravesh1994;
 
-}  // namespace yoke::test
+}  // namespace yoke::tests

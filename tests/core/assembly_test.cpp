@@ -12,10 +12,12 @@
 #include <yoke/joints/distance.hpp>
 #include <yoke/joints/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
+using namespace yoke::tests;
 
 BodyId add_rod(Model& m, const std::string& name, const Vec2& from, const Vec2& to) {
   const Vec2 d = to - from;
@@ -48,17 +50,8 @@ Model four_bar() {
   return m;
 }
 
-std::string message_of(const Model& m, const AssemblyOptions& options) {
-  try {
-    assemble(m, options);
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+std::string refusal(const Model& m, const AssemblyOptions& options) {
+  return message_of([&] { assemble(m, options); });
 }
 
 /// Two links from the origin to a fixed point: elbow up or down.
@@ -100,7 +93,7 @@ TEST_CASE("of two assemblies the one asked for is found") {
     const State state = assemble(m, {.near = {{"upper", Coordinate::angle, side, 0.3}}});
     CHECK(state.q[2] == doctest::Approx(side > 0 ? std::atan2(0.6, 0.8) : -std::atan2(0.6, 0.8)));
   }
-  const std::string message = message_of(m, {.near = {{"upper", Coordinate::angle, 2.5, 0.3}}});
+  const std::string message = refusal(m, {.near = {{"upper", Coordinate::angle, 2.5, 0.3}}});
   CHECK(contains(message, "angle of 'upper' near 2.5 rad"));
   CHECK(contains(message, "0.6435"));
 }
@@ -112,16 +105,16 @@ TEST_CASE("velocities follow from the rates given, and rates that cannot be had 
   Dynamics dynamics(m);
   CHECK(dynamics.velocity_violation(state) < 1e-12);
   const std::string message =
-      message_of(m, {.rates = {{"crank", Coordinate::angle, 3.0}, {"crank", Coordinate::x, 7.0}}});
+      refusal(m, {.rates = {{"crank", Coordinate::angle, 3.0}, {"crank", Coordinate::x, 7.0}}});
   CHECK(contains(message, "the rates given cannot be had: the rate of '"));
   CHECK(contains(message, " m/s"));
 }
 
 TEST_CASE("a hold out of reach names a joint and its residual") {
-  const std::string message = message_of(arm(), {.hold = {{"upper", Coordinate::angle, 2.0}}});
+  const std::string message = refusal(arm(), {.hold = {{"upper", Coordinate::angle, 2.0}}});
   CHECK(contains(message, "no pose was found that satisfies all joints and holds: '"));
   CHECK(contains(message, " m"));
-  CHECK(contains(message_of(arm(), {.hold = {{"uper", Coordinate::angle, 2.0}}}), "unknown body"));
+  CHECK(contains(refusal(arm(), {.hold = {{"uper", Coordinate::angle, 2.0}}}), "unknown body"));
 }
 
 TEST_CASE("how near and how many starts are refused if negative") {

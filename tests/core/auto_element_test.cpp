@@ -16,8 +16,10 @@
 #include <yoke/joints/revolute.hpp>
 #include <yoke/joints/translational_spring.hpp>
 #include <yoke/tests/joints/fixture.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
+using namespace yoke::tests;
 
 namespace {
 
@@ -210,11 +212,11 @@ TEST_CASE("a user's constraint: acceleration of a pin that runs round a fixed ci
   state.v.head<3>() << 0.0, 3.0, 11.0;
   std::vector<BodyMotion> bodies(3);
   bodies[1] = {2.5, 0.25, 0.4, std::cos(0.4), std::sin(0.4), 0.0, 3.0, 11.0};
-  const auto x = test::evaluate(*m.model.constraints()[0],
-                                {.t = 0.0, .bodies = bodies, .inertia = m.model.bodies()});
-  CHECK(test::near(x.phi, {0.0}));
-  CHECK(test::near({x.G[0], x.G[1], x.G[2]}, {1.0, 0.0, 0.0}));
-  CHECK(test::near(x.gamma, {-4.5}));
+  const auto x = evaluate(*m.model.constraints()[0],
+                          {.t = 0.0, .bodies = bodies, .inertia = m.model.bodies()});
+  CHECK(near(x.phi, {0.0}));
+  CHECK(near({x.G[0], x.G[1], x.G[2]}, {1.0, 0.0, 0.0}));
+  CHECK(near(x.gamma, {-4.5}));
 }
 
 TEST_CASE("a user's constraint with two rows and time in it, placed by global geometry") {
@@ -227,7 +229,7 @@ TEST_CASE("a user's constraint with two rows and time in it, placed by global ge
 
 TEST_CASE("an automatic constraint names one equation for each row") {
   const Mechanism m;
-  CHECK(test::error_of([&] { OneNameForTwo("pair", m.crank, m.slider); }) ==
+  CHECK(message_of([&] { OneNameForTwo("pair", m.crank, m.slider); }) ==
         "joint 'pair': 1 equations are named for the 2 rows of phi");
 }
 
@@ -249,14 +251,14 @@ TEST_CASE("an automatic constraint equals the hand-written one in every block") 
             state.v[3 * i + 1], state.v[3 * i + 2]};
       }
       const Motion motion{.t = state.t, .bodies = bodies, .inertia = m.model.bodies()};
-      const auto x = test::evaluate(*by_hand, motion, {1.7, -2.3});
-      const auto y = test::evaluate(automatic, motion, {1.7, -2.3});
-      CHECK(test::near(x.phi, y.phi, 1e-14));
-      CHECK(test::near(x.G, y.G, 1e-14));
-      CHECK(test::near(x.phi_t, y.phi_t, 1e-14));
-      CHECK(test::near(x.gamma, y.gamma, 1e-13));
-      CHECK(test::near(x.H, y.H, 1e-13));
-      CHECK(test::near(x.K, y.K, 1e-13));
+      const auto x = evaluate(*by_hand, motion, {1.7, -2.3});
+      const auto y = evaluate(automatic, motion, {1.7, -2.3});
+      CHECK(near(x.phi, y.phi, 1e-14));
+      CHECK(near(x.G, y.G, 1e-14));
+      CHECK(near(x.phi_t, y.phi_t, 1e-14));
+      CHECK(near(x.gamma, y.gamma, 1e-13));
+      CHECK(near(x.H, y.H, 1e-13));
+      CHECK(near(x.K, y.K, 1e-13));
     }
   }
 }
@@ -291,7 +293,7 @@ TEST_CASE("an automatic force equals the hand-written one in every block") {
     blocks.push_back(energy.dissipated_power);
     return blocks;
   };
-  CHECK(test::near(all(*by_hand), all(automatic), 1e-12));
+  CHECK(near(all(*by_hand), all(automatic), 1e-12));
 }
 
 TEST_CASE("a user's spring that hardens, from its law alone") {
@@ -319,8 +321,8 @@ TEST_CASE("functions of differentiated scalars have the right first and second d
   };
   const auto expect = [&](const auto& f, double first, double curvature) {
     const auto [d1, d2] = second(f);
-    CHECK(test::near(d1, first, 1e-13));
-    CHECK(test::near(d2, curvature, 1e-13));
+    CHECK(near(d1, first, 1e-13));
+    CHECK(near(d2, curvature, 1e-13));
   };
   const double r = 1.0 - x * x;
   expect([](auto u) { return asin(u); }, 1 / std::sqrt(r), x / std::pow(r, 1.5));

@@ -11,8 +11,10 @@
 
 #include <yoke/core/check.hpp>
 #include <yoke/core/model.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
+using namespace yoke::tests;
 
 namespace {
 
@@ -132,10 +134,9 @@ TEST_CASE("a constraint wrong by one part in 10^5 in one block is found, by the 
 }
 
 TEST_CASE("a constraint that breaks its word is found") {
-  CHECK(check_constraint(Fault::pattern).problem.find("outside the declared pattern") !=
-        std::string::npos);
-  CHECK(check_constraint(Fault::rheonomic).problem.find("rheonomic()") != std::string::npos);
-  CHECK(check_constraint(Fault::alone).problem.find("G asked for alone") != std::string::npos);
+  CHECK(contains(check_constraint(Fault::pattern).problem, "outside the declared pattern"));
+  CHECK(contains(check_constraint(Fault::rheonomic).problem, "rheonomic()"));
+  CHECK(contains(check_constraint(Fault::alone).problem, "G asked for alone"));
   CHECK(check_constraint(Fault::nan).problem == "G holds a number that is not finite");
   CHECK(check_constraint(Fault::zeros).problem ==
         "only zeros were seen: nothing has been checked at these states");

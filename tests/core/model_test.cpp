@@ -13,23 +13,15 @@
 #include <yoke/core/auto_constraint.hpp>
 #include <yoke/core/auto_force.hpp>
 #include <yoke/core/model.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
+using namespace yoke::tests;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-template <class Action>
-std::string error_of(const Action& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 Body good(const std::string& name = "crank") {
   return {.name = name, .mass = 0.09, .inertia = 3e-5, .pose = {{0.3, -0.2}, 0.4}};
@@ -37,7 +29,7 @@ Body good(const std::string& name = "crank") {
 
 std::string refusal(const Body& body) {
   Model model;
-  const std::string message = error_of([&] { model.add(body); });
+  const std::string message = message_of([&] { model.add(body); });
   CHECK(model.body_count() == 0);  // nothing half done
   return message;
 }
@@ -117,7 +109,7 @@ TEST_CASE("names of bodies are given and given once") {
         "results are found by them");
   Model model;
   model.add(good());
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(good());
         }).starts_with("body 'crank': this name is taken by a body"));
   CHECK(model.body_count() == 1);
@@ -128,17 +120,17 @@ TEST_CASE("a joint or force cannot have the name of a body, nor a body theirs") 
   Model model;
   const BodyId crank = model.add(good());
   const BodyId slider = model.add(good("slider"));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(Level("crank", crank, slider));
         }).starts_with("joint or force 'crank': this name is taken by a body"));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(Push("slider", crank, slider));
         }).starts_with("joint or force 'slider': this name is taken by a body"));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(Push("ground", crank, slider));
         }).starts_with("joint or force 'ground': this name is taken by a body"));
   model.add(Level("level", crank, slider));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(good("level"));
         }).starts_with("body 'level': this name is taken by a joint or force"));
   CHECK(model.body_count() == 2);
@@ -151,11 +143,11 @@ TEST_CASE("a body that is not there is refused with the ones that are") {
   model.add(good("slider"));
   CHECK(model.find_body("slider") == BodyId{2});
   CHECK(model.find_body("ground") == ground);
-  CHECK(error_of([&] { model.find_body("slide"); }) ==
+  CHECK(message_of([&] { model.find_body("slide"); }) ==
         "unknown body 'slide': the model has 'ground', 'crank', 'slider'");
-  CHECK(error_of([&] { model.body(BodyId{3}); }) ==
+  CHECK(message_of([&] { model.body(BodyId{3}); }) ==
         "unknown body 3: the model has bodies 0 to 2 ('ground', 'crank', 'slider')");
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.to_local(BodyId{-1}, {0.1, 0.2});
         }) == "unknown body -1: the model has bodies 0 to 2 ('ground', 'crank', 'slider')");
 }
@@ -164,27 +156,27 @@ TEST_CASE("elements of users that check nothing are checked by the model") {
   Model model;
   const BodyId crank = model.add(good());
   const BodyId slider = model.add(good("slider"));
-  CHECK(error_of([&] { model.add(Level("", crank, slider)); }) ==
+  CHECK(message_of([&] { model.add(Level("", crank, slider)); }) ==
         "a joint or force needs a name that is not empty");
-  CHECK(error_of([&] { model.add(Level("level", crank, BodyId{9})); }) ==
+  CHECK(message_of([&] { model.add(Level("level", crank, BodyId{9})); }) ==
         "'level': unknown body 9: the model has bodies 0 to 2");
-  CHECK(error_of([&] { model.add(Push("push", crank, BodyId{-2})); }) ==
+  CHECK(message_of([&] { model.add(Push("push", crank, BodyId{-2})); }) ==
         "'push': unknown body -2: the model has bodies 0 to 2");
-  CHECK(error_of([&] { model.add(Level("level", crank, crank)); }) ==
+  CHECK(message_of([&] { model.add(Level("level", crank, crank)); }) ==
         "'level': body 'crank' is given twice; a joint or force acts between different bodies");
-  CHECK(error_of([&] { model.add(Level("level", ground, ground)); }) ==
+  CHECK(message_of([&] { model.add(Level("level", ground, ground)); }) ==
         "joint 'level': at least one of its bodies must move");
-  CHECK(error_of([&] { model.add(Push("push", crank, slider, not_a_number)); }) ==
+  CHECK(message_of([&] { model.add(Push("push", crank, slider, not_a_number)); }) ==
         "'push': size = nan must be a finite number");
 
   // What was refused left nothing behind, its name is free.
   CHECK(model.constraints().empty());
   CHECK(model.forces().empty());
   model.add(Level("level", crank, slider));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(Level("level", crank, ground));
         }).starts_with("joint or force 'level': this name is taken by a joint or force"));
-  CHECK(error_of([&] {
+  CHECK(message_of([&] {
           model.add(Push("level", crank, slider));
         }).starts_with("joint or force 'level': this name is taken by a joint or force"));
   model.add(Push("push", crank, slider, 3.0));
@@ -195,13 +187,13 @@ TEST_CASE("elements of users that check nothing are checked by the model") {
 TEST_CASE("a changeable parameter is found by its full name or the known ones are told") {
   Model model;
   const BodyId a = model.add(good("a")), b = model.add(good("b"));
-  CHECK(error_of([&] { model.find_parameter("push.size"); }) ==
+  CHECK(message_of([&] { model.find_parameter("push.size"); }) ==
         "unknown parameter 'push.size': the model has no changeable parameters");
   model.add(Push("push", a, b, 3.0));
   model.add(Push("pull", a, b, 7.0));
   CHECK(model.find_parameter("pull.size") == 1);
   CHECK(model.start_state().parameters == std::vector<double>{3.0, 7.0});
-  CHECK(error_of([&] { model.find_parameter("size"); }) ==
+  CHECK(message_of([&] { model.find_parameter("size"); }) ==
         "unknown parameter 'size': the model has 'push.size', 'pull.size'");
 }
 
@@ -228,7 +220,7 @@ TEST_CASE("a point mass moves the centre of mass and adds by the parallel axis t
   CHECK(both.twist.velocity.y() == doctest::Approx(velocity.y()).epsilon(1e-14));
   CHECK(both.twist.omega == 3.1);
   CHECK(both.pose.angle == 0.3);
-  CHECK(error_of([&] { with_point_mass(rod, 0.0, tip); }) ==
+  CHECK(message_of([&] { with_point_mass(rod, 0.0, tip); }) ==
         "body 'rod': point mass = 0 kg must be finite and greater than 0 kg");
   // A place that is nowhere: refused here or, at the latest, by the model.
   Model model;

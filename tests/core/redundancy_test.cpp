@@ -14,14 +14,12 @@
 #include <yoke/joints/gravity.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using namespace yoke::tests;
 
 BodyId add_rod(Model& m, const std::string& name, const Vec2& from, const Vec2& to,
                double omega = 0.0, const Vec2& velocity = Vec2::Zero()) {

@@ -17,52 +17,20 @@
 
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
+#include <yoke/tests/files.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
+using namespace yoke::tests;
 namespace fs = std::filesystem;
-
-/// A folder of its own that goes away.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "yoke-result-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::stringstream stream(text);
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
   return parts;
-}
-
-template <class Error, class Action>
-std::string error_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// No file may grow beyond this many bytes: what a full disk looks like to the program.
@@ -116,9 +84,9 @@ TEST_CASE("a table comes back from its file with every bit") {
     row[1] = static_cast<double>(i % 3);
     row[2] = -numbers[i];
   }
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   table.write_csv(scratch / "t.csv");
-  const auto lines = split(text_of(scratch / "t.csv"), '\n');
+  const auto lines = split(content(scratch / "t.csv"), '\n');
   REQUIRE(lines.size() == 1 + std::size(numbers));
   CHECK(lines[0] == "a_m,region,b_N");
   for (std::size_t i = 0; i < std::size(numbers); ++i) {
@@ -136,9 +104,9 @@ TEST_CASE("a table comes back from its file with every bit") {
 TEST_CASE("a column that is not there is refused with the ones that begin like it") {
   Table table;
   for (const char* name : {"crank.x", "crank.y", "slider.x"}) table.add_column(name, "m");
-  CHECK(error_of<ModelError>([&] { table["crank.z_m"]; }) ==
+  CHECK(message_of<ModelError>([&] { table["crank.z_m"]; }) ==
         "unknown column 'crank.z_m'; there are 'crank.x_m', 'crank.y_m'");
-  CHECK(error_of<ModelError>([&] { table["rod.x_m"]; }) ==
+  CHECK(message_of<ModelError>([&] { table["rod.x_m"]; }) ==
         "unknown column 'rod.x_m'; no column starts like it");
   CHECK(table.has("slider.x_m"));
   CHECK_FALSE(table.has("slider.x"));
@@ -168,15 +136,15 @@ TEST_CASE("on a disk that fills up, whole rows stay and the file is named") {
   // Within the first block that is written, later, and cutting within the header line.
   for (const rlim_t room : {rlim_t{20001}, rlim_t{333333}, rlim_t{3}}) {
     CAPTURE(room);
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const fs::path path = scratch / "motion.csv";
     std::string message;
     {
       const FullDisk full(room);
-      message = error_of<OutputError>([&] { table.write_csv(path); });
+      message = message_of<OutputError>([&] { table.write_csv(path); });
     }
     CHECK(message == "cannot write '" + path.string() + "': File too large");
-    const std::string text = text_of(path);
+    const std::string text = content(path);
     CHECK(text.size() <= room);
     CHECK((text.empty() || text.back() == '\n'));
     CHECK(text.find('\0') == std::string::npos);
@@ -192,21 +160,21 @@ TEST_CASE("on a disk that fills up, whole rows stay and the file is named") {
 }
 
 TEST_CASE("folders that cannot be made or written are named with the reason") {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   write_text(scratch / "file", "not a folder");
   const fs::path below = scratch / "file/results";
-  CHECK(error_of<OutputError>([&] { make_output_folder(below); }) ==
+  CHECK(message_of<OutputError>([&] { make_output_folder(below); }) ==
         "cannot make the output folder '" + below.string() + "': Not a directory");
-  CHECK(error_of<OutputError>([&] { Result().write(below); }) ==
+  CHECK(message_of<OutputError>([&] { Result().write(below); }) ==
         "cannot make the output folder '" + below.string() + "': Not a directory");
   const fs::path missing = scratch / "missing/motion.csv";
-  CHECK(error_of<OutputError>([&] { Table().write_csv(missing); }) ==
+  CHECK(message_of<OutputError>([&] { Table().write_csv(missing); }) ==
         "cannot write '" + missing.string() + "': No such file or directory");
   if (::geteuid() != 0) {  // root may write everywhere
     const fs::path locked = scratch / "locked";
     make_output_folder(locked);
     fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
-    CHECK(error_of<OutputError>([&] { make_output_folder(locked); }) ==
+    CHECK(message_of<OutputError>([&] { make_output_folder(locked); }) ==
           "cannot write into the output folder '" + locked.string() + "': Permission denied");
     fs::permissions(locked, fs::perms::owner_all);
   }
@@ -232,11 +200,11 @@ TEST_CASE("a result is written as a table, events and a summary that parse") {
   s.refactorisations = 30;
   s.fresh_factorisations = 2;
   s.energy_balance = std::numeric_limits<double>::quiet_NaN();
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   result.write(scratch / "a/b");
 
-  CHECK(text_of(scratch / "a/b/motion.csv") == "t_s\n0.25\n");
-  const auto lines = split(text_of(scratch / "a/b/events.csv"), '\n');
+  CHECK(content(scratch / "a/b/motion.csv") == "t_s\n0.25\n");
+  const auto lines = split(content(scratch / "a/b/events.csv"), '\n');
   REQUIRE(lines.size() == 2);
   CHECK(lines[0] == "t_s,kind,region,speed_m_per_s,penetration_m,element");
   const auto cells = split(lines[1], ',');
@@ -248,7 +216,7 @@ TEST_CASE("a result is written as a table, events and a summary that parse") {
   CHECK(std::stod(cells[4]) == -1e-17);
   CHECK(cells[5] == "slot");
 
-  const auto json = nlohmann::json::parse(text_of(scratch / "a/b/summary.json"));
+  const auto json = nlohmann::json::parse(content(scratch / "a/b/summary.json"));
   CHECK(json["stop"] == "interrupted");
   CHECK(json["reason"] == s.reason);
   CHECK(json["formulation"] == "ida-ggl");

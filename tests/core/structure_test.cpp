@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <yoke/tests/files.hpp>
 
 namespace {
 
@@ -116,12 +116,6 @@ bool has_licence(const std::string& text) {
   return false;
 }
 
-std::string read(const fs::path& path) {
-  std::ifstream in(path);
-  REQUIRE_MESSAGE(in.good(), path.string());
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // Files of the folder that we wrote and that carry a licence line.
 std::vector<std::string> sources(const fs::path& root, const std::string& folder) {
   static const std::vector<std::string> endings = {".cpp", ".hpp", ".sh",  ".cmake",
@@ -145,7 +139,7 @@ TEST_CASE("structure: folders include only what they may") {
     for (const std::string& path : sources(root, folder)) {
       if (!path.ends_with(".cpp") && !path.ends_with(".hpp")) continue;
       ++files;
-      for (const std::string& wrong : wrong_includes(path, read(root / path))) {
+      for (const std::string& wrong : wrong_includes(path, yoke::tests::source(path))) {
         FAIL_CHECK(wrong);
       }
     }
@@ -162,7 +156,7 @@ TEST_CASE("structure: every file has its licence line") {
     const std::vector<std::string> more = sources(root, folder);
     files.insert(files.end(), more.begin(), more.end());
   }
-  for (const std::string& path : files) CHECK_MESSAGE(has_licence(read(root / path)), path);
+  for (const std::string& path : files) CHECK_MESSAGE(has_licence(yoke::tests::source(path)), path);
 }
 
 TEST_CASE("structure: the check sees a wrong arrow") {

@@ -15,6 +15,7 @@
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/joints/translational_spring.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace yoke::tests {
 
@@ -84,21 +85,6 @@ inline Model four_bar(double a, double b, double c, double d, double angle, doub
   m.add(Revolute{.name = "D", .a = ground, .b = rocker, .at = D});
   m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(angle, omega)});
   return m;
-}
-
-/// The message of the ModelError that `action` throws; empty if it throws none.
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-inline bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace yoke::tests

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
-#include <stdlib.h>
 
 #include <cstring>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <yoke/cases/n_four_bar.hpp>
 #include <yoke/core/event_function.hpp>
 #include <yoke/core/fingerprint.hpp>
+#include <yoke/tests/files.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {
@@ -18,20 +18,6 @@ namespace {
 using namespace yoke;
 using namespace yoke::tests;
 namespace fs = std::filesystem;
-
-/// A folder that goes away with the test.
-struct TemporaryFolder {
-  fs::path path;
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "yoke_checkpoint_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path, error);
-  }
-};
 
 Model rattling_yoke(double crank_length = 45.0_mm) {
   return scotch_yoke({.crank_length = crank_length});
@@ -86,17 +72,17 @@ TEST_CASE("a run that is taken up gives the same bits as the one that was not in
     INFO(f.name);
     for (const long every_events : {0L, 3L}) {
       TemporaryFolder whole, cut_short;
-      SimulationOptions o = options(whole.path, f.name);
-      if (every_events > 0) o.checkpoints = {.folder = whole.path, .every_events = every_events};
+      SimulationOptions o = options(whole.path(), f.name);
+      if (every_events > 0) o.checkpoints = {.folder = whole.path(), .every_events = every_events};
       const Result reference = simulate(model, o);
       REQUIRE(reference.summary.ok());
       REQUIRE(reference.events.size() > 8);
-      o.checkpoints.folder = cut_short.path;
+      o.checkpoints.folder = cut_short.path();
       for (const double part : {0.05, 0.4, 0.8}) {
         const long step = static_cast<long>(part * static_cast<double>(reference.summary.steps));
         const Result stopped = interrupted_run(model, o, step);
         REQUIRE(stopped.summary.stop == Stop::interrupted);
-        check_same(resume(model, cut_short.path), reference);
+        check_same(resume(model, cut_short.path()), reference);
       }
     }
   }
@@ -117,15 +103,15 @@ TEST_CASE("redundant equations, singular positions and users' events survive bei
                         .relative_tolerance = 1e-7,
                         .formulation = std::string(f.name),
                         .samples = 101,
-                        .checkpoints = {.folder = whole.path, .every = 0.13}};
+                        .checkpoints = {.folder = whole.path(), .every = 0.13}};
     const Result reference = simulate(m, o);
     INFO(reference.summary.reason);
     REQUIRE(reference.summary.ok());
     CHECK(reference.summary.redundant_equations.size() == 2);
     CHECK(reference.summary.singular_positions.size() >= 2);
-    o.checkpoints.folder = cut_short.path;
+    o.checkpoints.folder = cut_short.path();
     interrupted_run(m, o, reference.summary.steps / 2);
-    check_same(resume(m, cut_short.path), reference);
+    check_same(resume(m, cut_short.path()), reference);
   }
 }
 
@@ -134,25 +120,25 @@ TEST_CASE(
     "checkpoint") {
   const Model model = rattling_yoke();
   TemporaryFolder whole, patched;
-  const Result reference = simulate(model, options(whole.path));
-  interrupted_run(model, options(patched.path), reference.summary.steps / 5);
+  const Result reference = simulate(model, options(whole.path()));
+  interrupted_run(model, options(patched.path()), reference.summary.steps / 5);
   for (int i = 2; i < 5; ++i) {
     for (const char* name : {"samples.bin", "events.bin"})
-      std::ofstream(patched.path / name, std::ios::app | std::ios::binary) << "rows of a step "
-                                                                              "that was killed";
+      std::ofstream(patched / name, std::ios::app | std::ios::binary) << "rows of a step "
+                                                                         "that was killed";
     const long step = i * reference.summary.steps / 5;
-    resume(model, patched.path, [&](const Progress& p) { return p.steps < step; });
+    resume(model, patched.path(), [&](const Progress& p) { return p.steps < step; });
   }
-  check_same(resume(model, patched.path), reference);
+  check_same(resume(model, patched.path()), reference);
   // A run that is over is over.
-  check_same(resume(model, patched.path), reference);
+  check_same(resume(model, patched.path()), reference);
 }
 
 TEST_CASE("simulate goes on if it is told to and there is something to go on from") {
   const Model model = rattling_yoke();
   TemporaryFolder whole, folder;
-  const Result reference = simulate(model, options(whole.path));
-  SimulationOptions o = options(folder.path);
+  const Result reference = simulate(model, options(whole.path()));
+  SimulationOptions o = options(folder.path());
   o.checkpoints.resume = true;
   CHECK(interrupted_run(model, o, 40).summary.stop == Stop::interrupted);
   check_same(simulate(model, o), reference);
@@ -166,53 +152,49 @@ TEST_CASE(
     "a checkpoint that is truncated, damaged or of another model is refused with the reason") {
   const Model model = rattling_yoke();
   TemporaryFolder folder;
-  const fs::path file = folder.path / "checkpoint.bin";
-  CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("there is no checkpoint"),
+  const fs::path file = folder / "checkpoint.bin";
+  CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("there is no checkpoint"),
                        ModelError);
-  interrupted_run(model, options(folder.path), 200);
-  CHECK_THROWS_WITH_AS(resume(rattling_yoke(45.01_mm), folder.path),
+  interrupted_run(model, options(folder.path()), 200);
+  CHECK_THROWS_WITH_AS(resume(rattling_yoke(45.01_mm), folder.path()),
                        doctest::Contains("is of another model"), ModelError);
 
-  std::string bytes;
-  {
-    std::ifstream in(file, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), {});
-  }
+  const std::string bytes = content(file);
   const auto put_back = [&](std::string changed) {
     std::ofstream(file, std::ios::binary) << changed;
   };
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{10}, std::size_t{30}, bytes.size() / 2, bytes.size() - 1}) {
     put_back(bytes.substr(0, length));
-    CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("is refused"), ModelError);
+    CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("is refused"), ModelError);
   }
   std::string changed = bytes;
   changed[bytes.size() / 2] ^= 1;
   put_back(changed);
-  CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("damaged"), ModelError);
+  CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("damaged"), ModelError);
   changed = bytes;
   changed[8] = 99;
   put_back(changed);
-  CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("version 99"), ModelError);
+  CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("version 99"), ModelError);
 
   put_back(bytes);
   for (const char* name : {"samples.bin", "events.bin"}) {
-    std::fstream log(folder.path / name, std::ios::in | std::ios::out | std::ios::binary);
+    std::fstream log(folder / name, std::ios::in | std::ios::out | std::ios::binary);
     log.seekg(37);
     const auto byte = static_cast<char>(log.get());
     log.seekp(37);
     log.put(static_cast<char>(byte ^ 4));
     log.close();
-    CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("is refused"), ModelError);
-    std::fstream again(folder.path / name, std::ios::in | std::ios::out | std::ios::binary);
+    CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("is refused"), ModelError);
+    std::fstream again(folder / name, std::ios::in | std::ios::out | std::ios::binary);
     again.seekp(37);
     again.put(byte);
   }
-  cut(folder.path / "events.bin", 3);
-  CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("truncated: event"),
+  cut(folder / "events.bin", 3);
+  CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("truncated: event"),
                        ModelError);
-  cut(folder.path / "samples.bin", 8);
-  CHECK_THROWS_WITH_AS(resume(model, folder.path), doctest::Contains("truncated: 8 of"),
+  cut(folder / "samples.bin", 8);
+  CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("truncated: 8 of"),
                        ModelError);
 }
 

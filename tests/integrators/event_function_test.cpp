@@ -10,10 +10,12 @@
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/joints/translational_spring.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
+using namespace yoke::tests;
 
 constexpr double mass = 1.3, stiffness = 52.0, amplitude = 0.2;
 const double omega = std::sqrt(stiffness / mass);
@@ -129,7 +131,7 @@ TEST_CASE("a wrong event is refused before the run, one that throws ends it with
                             .action = [](const EventAction& a) { a.parameter("none") = 1.0; }});
   const Result run = simulate(thrower, {.until = 1.0});
   CHECK(run.summary.stop == Stop::failed);
-  CHECK(run.summary.reason.find("unknown parameter 'none'") != std::string::npos);
+  CHECK(contains(run.summary.reason, "unknown parameter 'none'"));
   CHECK(run.samples.rows() > 100);
 
   Model nan = oscillator();
@@ -193,7 +195,7 @@ TEST_CASE("an event function that is not a number is named") {
     const Result run = simulate(m, options(f.name, 1.0));
     CHECK(run.summary.stop == Stop::failed);
     INFO(run.summary.reason);
-    CHECK(run.summary.reason.find("'lost' gives a value that is not finite") != std::string::npos);
+    CHECK(contains(run.summary.reason, "'lost' gives a value that is not finite"));
   }
 }
 

@@ -9,36 +9,28 @@
 #include <yoke/joints/distance.hpp>
 #include <yoke/joints/torsional_spring.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
 using namespace yoke::tests;
 
-std::string message_of(const Model& model, const SimulationOptions& options) {
-  try {
-    simulate(model, options);
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+std::string refusal(const Model& model, const SimulationOptions& options) {
+  return message_of([&] { simulate(model, options); });
 }
 
 }  // namespace
 
 TEST_CASE("options out of range are refused with name, value and range") {
   const Model model = double_pendulum();
-  CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = 1e-15}),
+  CHECK(contains(refusal(model, {.until = 1.0, .relative_tolerance = 1e-15}),
                  "relative_tolerance = 1e-15 is outside the accepted range 1e-13 to 0.01"));
-  CHECK(contains(message_of(model, {.until = 1.0, .relative_tolerance = std::nan("")}),
+  CHECK(contains(refusal(model, {.until = 1.0, .relative_tolerance = std::nan("")}),
                  "relative_tolerance = nan"));
-  CHECK(contains(message_of(model, {.until = -1.0}), "until = -1 s must be later than the start"));
-  CHECK(contains(message_of(model, {.until = 1.0, .samples = 1}), "samples = 1"));
-  const std::string unknown = message_of(model, {.until = 1.0, .formulation = "newmark"});
+  CHECK(contains(refusal(model, {.until = -1.0}), "until = -1 s must be later than the start"));
+  CHECK(contains(refusal(model, {.until = 1.0, .samples = 1}), "samples = 1"));
+  const std::string unknown = refusal(model, {.until = 1.0, .formulation = "newmark"});
   CHECK(contains(unknown, "unknown formulation 'newmark'"));
   CHECK(contains(unknown, "'ida-ggl'"));
 }
@@ -50,7 +42,7 @@ TEST_CASE("a start pose that cannot be assembled names the equation and the resi
   m.add(Revolute{.name = "pivot", .a = ground, .b = a, .at = {0.0, 0.0}});
   m.add(Distance{
       .name = "rope", .a = ground, .b = a, .at_a = {5.0, 0.0}, .at_b = {0.0, 1.0}, .length = 9.0});
-  const std::string message = message_of(m, {.until = 1.0});
+  const std::string message = refusal(m, {.until = 1.0});
   CHECK(contains(message, "the start pose cannot be assembled"));
   CHECK((contains(message, "rope") || contains(message, "pivot")));
 }
@@ -60,7 +52,7 @@ TEST_CASE("a driver in conflict with a joint is refused by name") {
   m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = constant_speed(0.0, 3.0)});
   m.add(AngleDriver{
       .name = "second motor", .body = m.find_body("a"), .angle = constant_speed(0.0, 4.0)});
-  const std::string message = message_of(m, {.until = 1.0});
+  const std::string message = refusal(m, {.until = 1.0});
   CHECK(contains(message, "'motor: angle' is in conflict with 'second motor: angle'"));
   CHECK(contains(message, "0.5 rad/s"));
 }
@@ -119,9 +111,9 @@ TEST_CASE("a driver whose rate is not the derivative of its value is refused, a 
   // 200 Hz over a long run: the differences of the check must not be coarser than the motion.
   const SimulationOptions options{
       .until = 100.0, .samples = 0, .observer = [](const Progress&) { return false; }};
-  CHECK(contains(message_of(driven(1.1, 1257.0), options),
+  CHECK(contains(refusal(driven(1.1, 1257.0), options),
                  "driver 'motor': its rate is not the derivative"));
-  CHECK(message_of(driven(1.0, 1257.0), options) == "no error");
+  CHECK(refusal(driven(1.0, 1257.0), options) == "no error");
 }
 
 TEST_CASE("scales and rates that make no sense are refused with their range") {

@@ -53,8 +53,8 @@ TEST_CASE("a crank that its links cannot follow round stops at the dead point, b
   const Result run = kinematics(four_bar(a, b, c, d, start, omega), {.until = 2.0, .samples = 201});
   CHECK(run.summary.stop == Stop::failed);
   CHECK(std::abs(run.summary.t_end - t_dead) < 1e-9);
-  CHECK_MESSAGE(mentions(run.summary.reason, "dead point at t = "), run.summary.reason);
-  CHECK_MESSAGE(mentions(run.summary.reason, "'motor: angle' is nearly dependent"),
+  CHECK_MESSAGE(contains(run.summary.reason, "dead point at t = "), run.summary.reason);
+  CHECK_MESSAGE(contains(run.summary.reason, "'motor: angle' is nearly dependent"),
                 run.summary.reason);
   REQUIRE(!run.summary.singular_positions.empty());
   CHECK(std::abs(run.summary.singular_positions.back().t - t_dead) < 1e-9);
@@ -105,18 +105,18 @@ TEST_CASE("an over-closed driven mechanism is analysed without its redundant equ
 
 TEST_CASE("a mechanism that is not fully driven is refused, with what is left free") {
   const std::string free_crank =
-      refusal([] { kinematics(slider_crank({.driven = false}), {.until = 1.0}); });
-  CHECK_MESSAGE(mentions(free_crank, "kinematics: 1 degree of freedom is left, of 'crank', 'rod'"),
+      message_of([] { kinematics(slider_crank({.driven = false}), {.until = 1.0}); });
+  CHECK_MESSAGE(contains(free_crank, "kinematics: 1 degree of freedom is left, of 'crank', 'rod'"),
                 free_crank);
-  const std::string free_slider = refusal([] { kinematics(scotch_yoke(), {.until = 1.0}); });
-  CHECK_MESSAGE(mentions(free_slider, "1 degree of freedom is left, of 'slider': drive it"),
+  const std::string free_slider = message_of([] { kinematics(scotch_yoke(), {.until = 1.0}); });
+  CHECK_MESSAGE(contains(free_slider, "1 degree of freedom is left, of 'slider': drive it"),
                 free_slider);
-  const std::string two = refusal([] { kinematics(double_pendulum(), {.until = 1.0}); });
-  CHECK_MESSAGE(mentions(two, "2 degrees of freedom are left, of 'a', 'b': drive them"), two);
-  CHECK(mentions(refusal([] { kinematics(slider_crank({.omega = 1.0}), {.until = -1.0}); }),
+  const std::string two = message_of([] { kinematics(double_pendulum(), {.until = 1.0}); });
+  CHECK_MESSAGE(contains(two, "2 degrees of freedom are left, of 'a', 'b': drive them"), two);
+  CHECK(contains(message_of([] { kinematics(slider_crank({.omega = 1.0}), {.until = -1.0}); }),
                  "until = -1 s must be later"));
-  CHECK(mentions(
-      refusal([] { kinematics(slider_crank({.omega = 1.0}), {.until = 1.0, .samples = 1}); }),
+  CHECK(contains(
+      message_of([] { kinematics(slider_crank({.omega = 1.0}), {.until = 1.0, .samples = 1}); }),
       "samples = 1 must be at least 2"));
 }
 
@@ -130,6 +130,6 @@ TEST_CASE("a driver that jumps is told from a dead point") {
                                                     })});
   const Result run = kinematics(m, {.until = 1.0, .samples = 11});
   CHECK(run.summary.stop == Stop::failed);
-  CHECK_MESSAGE(mentions(run.summary.reason, "does a driver jump?"), run.summary.reason);
+  CHECK_MESSAGE(contains(run.summary.reason, "does a driver jump?"), run.summary.reason);
   CHECK(run.summary.t_end == doctest::Approx(0.55));
 }

@@ -16,10 +16,12 @@
 #include <yoke/joints/displacement_driver.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/tests/integrators/wall.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
 using namespace yoke;
+using namespace yoke::tests;
 
 BodyId add_rod(Model& m, const std::string& name, const Vec2& from, const Vec2& to,
                double omega = 0.0) {
@@ -128,8 +130,9 @@ TEST_CASE("motors that come to disagree end the run and are named") {
     INFO(formulation.name);
     const Result run = simulate(m, {.until = 1.0, .formulation = std::string(formulation.name)});
     CHECK(run.summary.stop == Stop::failed);
-    CHECK(run.summary.reason.find("'second: angle' was redundant at the start but is in conflict "
-                                  "with 'motor: angle'") != std::string::npos);
+    CHECK(contains(run.summary.reason,
+                   "'second: angle' was redundant at the start but is in conflict with "
+                   "'motor: angle'"));
     CHECK(run.summary.t_end < 0.5);
   }
 }
@@ -222,11 +225,11 @@ TEST_CASE("a contact that begins while a singular position is being crossed is l
   for (const FormulationNote& formulation : formulations()) {
     INFO(formulation.name);
     Model m = cases::n_four_bar();
-    m.add(tests::Wall{.name = "floor",
-                      .body = m.find_body("link 1"),
-                      .law = ContactLaw(PowerLaw{.K = 1e9, .n = 1.5}),
-                      .height = height,
-                      .point = {0.5, 0.0}});
+    m.add(Wall{.name = "floor",
+               .body = m.find_body("link 1"),
+               .law = ContactLaw(PowerLaw{.K = 1e9, .n = 1.5}),
+               .height = height,
+               .point = {0.5, 0.0}});
     const bool multistep = is_multistep(formulation);
     const Result run = simulate(m, {.until = 0.9,
                                     .relative_tolerance = multistep ? 1e-12 : 1e-10,

@@ -16,6 +16,7 @@
 #include <yoke/joints/translational_spring.hpp>
 #include <yoke/joints/weld.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
@@ -29,16 +30,7 @@ double last(const Result& run, const std::string& column) {
 }
 
 std::string refusal(const Model& model, const SimulationOptions& options) {
-  try {
-    simulate(model, options);
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  return message_of([&] { simulate(model, options); });
 }
 
 /// A uniform rod from p to q, 1 kg/m.

@@ -20,9 +20,10 @@
 #include <yoke/joints/translational_spring.hpp>
 #include <yoke/joints/weld.hpp>
 #include <yoke/tests/joints/fixture.hpp>
+#include <yoke/tests/messages.hpp>
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 
 namespace {
 
@@ -31,7 +32,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Description>
 std::string refusal(const Trio& m, const Description& description) {
-  return error_of([&] { description.build(m.model); });
+  return message_of([&] { description.build(m.model); });
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ TEST_CASE("numbers that are not finite are refused") {
                                                                return sqrt(t);
                                                              })}) ==
         "angle driver 'motor': rate of angle at t = 0 = inf must be a finite number");
-  CHECK(error_of([] { smooth_ramp(0.0, not_a_number, 1.0); }) ==
+  CHECK(message_of([] { smooth_ramp(0.0, not_a_number, 1.0); }) ==
         "smooth_ramp: speed = nan must be a finite number");
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("constants out of range are refused") {
         "translational spring 'coil': stiffness = -2 N/m must be finite and at least 0 N/m");
   CHECK(refusal(m, TorsionalSpring{.name = "bar", .a = m.a, .b = m.b, .damping = -0.5}) ==
         "torsional spring 'bar': damping = -0.5 N m s/rad must be finite and at least 0 N m s/rad");
-  CHECK(error_of([] { smooth_ramp(0.0, 1.0, -2.0); }) ==
+  CHECK(message_of([] { smooth_ramp(0.0, 1.0, -2.0); }) ==
         "smooth_ramp: duration = -2 s must be finite and at least 0 s");
 }
 

@@ -23,7 +23,7 @@
 #include <yoke/tests/joints/fixture.hpp>
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include <yoke/core/check.hpp>
 #include <yoke/core/model.hpp>
 
-namespace yoke::test {
+namespace yoke::tests {
 
 struct Trio {
   Model model;
@@ -82,15 +82,4 @@ inline bool near(const std::vector<double>& x, const std::vector<double>& expect
   return true;
 }
 
-/// The message of the ModelError that `action` throws; empty if it throws none.
-template <class Action>
-std::string error_of(const Action& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-}  // namespace yoke::test
+}  // namespace yoke::tests

@@ -12,7 +12,7 @@
 #include <yoke/tests/joints/fixture.hpp>
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 
 TEST_CASE("translational spring: ends (3, 4) apart, lengthening at 2.42 m/s") {
   const Trio m;

@@ -17,7 +17,7 @@
 #include <yoke/tests/joints/fixture.hpp>
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 
 namespace {
 const double angle_a = std::atan2(0.6, 0.8);

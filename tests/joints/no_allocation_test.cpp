@@ -39,7 +39,7 @@ std::atomic<long> allocations{0};
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace yoke;
-using namespace yoke::test;
+using namespace yoke::tests;
 
 namespace {
 

@@ -12,19 +12,19 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <yoke/integrators/checkpoint.hpp>
+#include <yoke/tests/files.hpp>
 
 extern char** environ;
 
 namespace {
 
+using namespace yoke::tests;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
@@ -58,18 +58,12 @@ std::vector<std::string> run_arguments(const fs::path& folder) {
           "--no-plots",    "--checkpoint", "0.004s", "-o",     folder.string()};
 }
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 TEST_CASE(
     "two hundred kills at random instants leave a good checkpoint, and the same bytes in the end") {
-  std::string name = (fs::temp_directory_path() / "yoke-kill-XXXXXX").string();
-  REQUIRE(mkdtemp(name.data()) != nullptr);
-  const fs::path scratch = name, reference = scratch / "reference";
+  const TemporaryFolder scratch;
+  const fs::path reference = scratch / "reference";
   const auto began = Clock::now();
   REQUIRE(wait_for(start(run_arguments(reference))) == 0);
   const double duration = std::chrono::duration<double>(Clock::now() - began).count();
@@ -106,5 +100,4 @@ TEST_CASE(
   MESSAGE(kills << " kills in " << rounds << " runs, " << with_checkpoint
                 << " of them with a checkpoint on the disk");
   CHECK(with_checkpoint > 100);
-  fs::remove_all(scratch);
 }
