@@ -185,7 +185,7 @@ TEST_SUITE("program") {
   }
 
   TEST_CASE("what would be passed over in silence is refused by name, value and range") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const auto refused = [&](const std::string& arguments, const std::string& why) {
       const Outcome outcome = yoke(scratch, arguments);
       CHECK_MESSAGE(outcome.code == 1, arguments);
@@ -207,29 +207,29 @@ TEST_SUITE("program") {
             "formulation 'ida-ggl' has none");
     refused("run hanging_chain --formulation generalised-alpha --spectral-radius 1",
             "--spectral-radius 1: accepted is 0 to 0.999");
-    CHECK(!fs::exists(scratch.path / "results"));
+    CHECK(!fs::exists(scratch.path() / "results"));
   }
 
   TEST_CASE("--spectral-radius reaches generalised-alpha, also in a resumed run") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const std::string run =
         "run hanging_chain --formulation generalised-alpha --rtol 1e-5 --no-plots --samples 11 ";
     CHECK(yoke(scratch, run + "-o default").code == 0);
     CHECK(yoke(scratch, run + "--spectral-radius 0.8 -o same").code == 0);
     CHECK(yoke(scratch, run + "--spectral-radius 0.3 --checkpoint 1s -o damped").code == 0);
     const auto steps = [&](const char* folder) {
-      return nlohmann::json::parse(content(scratch.path / folder / "summary.json")).at("steps");
+      return nlohmann::json::parse(content(scratch.path() / folder / "summary.json")).at("steps");
     };
-    CHECK(content(scratch.path / "default/motion.csv") ==
-          content(scratch.path / "same/motion.csv"));
+    CHECK(content(scratch.path() / "default/motion.csv") ==
+          content(scratch.path() / "same/motion.csv"));
     CHECK(steps("damped") != steps("default"));
     CHECK(yoke(scratch, "resume damped").code == 0);
-    CHECK(nlohmann::json::parse(content(scratch.path / "damped/run.json"))["spectral_radius"] ==
+    CHECK(nlohmann::json::parse(content(scratch.path() / "damped/run.json"))["spectral_radius"] ==
           "0.3");
   }
 
   TEST_CASE("an impact that is not resolved or beyond every law is refused in words") {
-    const Scratch scratch;
+    const TemporaryFolder scratch;
     const std::string law = "impact --elastic power:K=1e8,n=1.5 ";
     const auto refused = [&](const std::string& arguments, const std::string& why) {
       const Outcome outcome = yoke(scratch, arguments);

@@ -118,10 +118,10 @@ TEST_CASE("a hold out of reach names a joint and its residual") {
 }
 
 TEST_CASE("how near and how many starts are refused if negative") {
-  CHECK(contains(message_of(arm(), {.near = {{"upper", Coordinate::angle, 0.6, -1.0}}}),
+  CHECK(contains(refusal(arm(), {.near = {{"upper", Coordinate::angle, 0.6, -1.0}}}),
                  "body 'upper': within = -1 rad must be finite and at least 0 rad"));
-  CHECK(contains(message_of(arm(), {.near = {{"upper", Coordinate::x, 0.6, std::nan("")}}}),
+  CHECK(contains(refusal(arm(), {.near = {{"upper", Coordinate::x, 0.6, std::nan("")}}}),
                  "body 'upper': within = nan m must be finite"));
-  CHECK(contains(message_of(arm(), {.starts = -1}), "assembly: starts = -1 must be at least 0"));
+  CHECK(contains(refusal(arm(), {.starts = -1}), "assembly: starts = -1 must be at least 0"));
   assemble(arm(), {.starts = 0});
 }

@@ -228,7 +228,7 @@ TEST_CASE("checkpoints without a folder, or a folder without a schedule, are ref
   refused({.every_events = 3},
           "checkpoints.folder is empty, but one is to be written every 3 events");
   refused({.resume = true}, "checkpoints.folder is empty: there is nothing to resume from");
-  refused({.folder = folder.path}, "neither checkpoints.every [s] nor checkpoints.every_events");
-  refused({.folder = folder.path, .every = -1.0}, "checkpoints.every = -1 s must be finite");
-  CHECK(fs::is_empty(folder.path));
+  refused({.folder = folder.path()}, "neither checkpoints.every [s] nor checkpoints.every_events");
+  refused({.folder = folder.path(), .every = -1.0}, "checkpoints.every = -1 s must be finite");
+  CHECK(fs::is_empty(folder.path()));
 }

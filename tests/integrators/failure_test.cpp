@@ -118,15 +118,14 @@ TEST_CASE("a driver whose rate is not the derivative of its value is refused, a 
 
 TEST_CASE("scales and rates that make no sense are refused with their range") {
   const Model model = double_pendulum();
-  CHECK(contains(message_of(model, {.until = 1.0, .length_scale = -1.0}),
+  CHECK(contains(refusal(model, {.until = 1.0, .length_scale = -1.0}),
                  "length_scale = -1 m must be finite and at least 0 m"));
-  CHECK(
-      contains(message_of(model, {.until = 1.0, .time_scale = -0.1}), "time_scale = -0.1 s must"));
-  CHECK(contains(message_of(model, {.until = 1.0, .baumgarte_rate = -3.0}),
+  CHECK(contains(refusal(model, {.until = 1.0, .time_scale = -0.1}), "time_scale = -0.1 s must"));
+  CHECK(contains(refusal(model, {.until = 1.0, .baumgarte_rate = -3.0}),
                  "baumgarte_rate = -3 1/s must be finite and at least 0 1/s"));
   for (const char* formulation : {"arkode-baumgarte", "ida-baumgarte"})
     CHECK(contains(
-        message_of(
+        refusal(
             model,
             {.until = 1.0, .formulation = formulation, .time_scale = 0.1, .baumgarte_rate = 1e12}),
         "baumgarte_rate = 1e+12 1/s: at relative_tolerance = 1e-08 and a time scale of "
