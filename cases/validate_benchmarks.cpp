@@ -234,7 +234,7 @@ void print_andrews_reference(Document& doc) {
 
 constexpr const char* front = R"(# Benchmarks
 
-Printed by `yoke validate benchmarks`, which takes two to three minutes on 2 cores; `-o DIR` writes it
+Printed by `yoke validate benchmarks`, which takes one to two minutes on 2 cores; `-o DIR` writes it
 with every single run as CSV and JSON, and the work-precision diagrams. Mechanisms of the literature
 whose motion is known, by all formulations.
 
@@ -247,13 +247,13 @@ constexpr const char* legend = R"(
 How to read the tables:
 
 * `rtol`: the tightest tried with which the formulation got to the end (all are in the CSV). Runge-Kutta
-  is tried down to 1e-12, BDF to 1e-13. Whatever did not get to the end is listed.
+  is tried down to 1e-12, BDF and Adams to 1e-13. Whatever did not get to the end is listed.
 * `positions`: largest error, in m or rad. `velocities`, `accelerations`, `reactions`: largest error over
   the largest value, linear and angular ones each for themselves. For Andrews' mechanism all are relative
   to each number itself.
 * `energy drift`: largest error of the energy ledger over the largest energy exchanged.
 * `order`: minus the slope of the error of positions over the number of steps, in logarithms, by least
-  squares over the tolerances tried and errors above 1e-11. BDF chooses its order (1 to 5) as it goes: smaller tolerances also
+  squares over the tolerances tried and errors above 1e-11. BDF (order 1 to 5) and Adams (1 to 12) choose theirs as they go: smaller tolerances also
   raise the order, so the slope is no order of convergence of one method. Empty where fewer than three
   errors are above rounding (a mechanism that is wholly driven) or runs were made.
 * `drift`, `drift of rates`: largest violation of the constraints by positions and by velocities at
@@ -335,7 +335,7 @@ std::string json_of(const std::vector<Row>& rows) {
 }
 
 constexpr const char* colours[] = {"#0072b2", "#d55e00", "#e69f00",
-                                   "#cc79a7", "#56b4e9", "#009e73"};
+                                   "#cc79a7", "#56b4e9", "#009e73", "#404040"};
 
 std::string panel(const Row& row, const char* x_label, int column) {
   std::string text = fmt::format("  set xlabel '{}'\n  plot ", x_label);
