@@ -207,7 +207,7 @@ TEST_SUITE("program") {
             "formulation 'ida-ggl' has none");
     refused("run hanging_chain --formulation generalised-alpha --spectral-radius 1",
             "--spectral-radius 1: accepted is 0 to 0.999");
-    CHECK(!fs::exists(scratch.path() / "results"));
+    CHECK(!fs::exists(scratch / "results"));
   }
 
   TEST_CASE("--spectral-radius reaches generalised-alpha, also in a resumed run") {
@@ -218,14 +218,12 @@ TEST_SUITE("program") {
     CHECK(yoke(scratch, run + "--spectral-radius 0.8 -o same").code == 0);
     CHECK(yoke(scratch, run + "--spectral-radius 0.3 --checkpoint 1s -o damped").code == 0);
     const auto steps = [&](const char* folder) {
-      return nlohmann::json::parse(content(scratch.path() / folder / "summary.json")).at("steps");
+      return nlohmann::json::parse(content(scratch / folder / "summary.json")).at("steps");
     };
-    CHECK(content(scratch.path() / "default/motion.csv") ==
-          content(scratch.path() / "same/motion.csv"));
+    CHECK(content(scratch / "default/motion.csv") == content(scratch / "same/motion.csv"));
     CHECK(steps("damped") != steps("default"));
     CHECK(yoke(scratch, "resume damped").code == 0);
-    CHECK(nlohmann::json::parse(content(scratch.path() / "damped/run.json"))["spectral_radius"] ==
-          "0.3");
+    CHECK(nlohmann::json::parse(content(scratch / "damped/run.json"))["spectral_radius"] == "0.3");
   }
 
   TEST_CASE("an impact that is not resolved or beyond every law is refused in words") {
