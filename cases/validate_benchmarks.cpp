@@ -334,8 +334,8 @@ std::string json_of(const std::vector<Row>& rows) {
   return all.dump(2) + "\n";
 }
 
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#e69f00",
-                                   "#cc79a7", "#56b4e9", "#009e73", "#404040"};
+constexpr const char* colours[] = {"#0072b2", "#d55e00", "#e69f00", "#cc79a7",
+                                   "#56b4e9", "#009e73", "#404040"};
 
 std::string panel(const Row& row, const char* x_label, int column) {
   std::string text = fmt::format("  set xlabel '{}'\n  plot ", x_label);
