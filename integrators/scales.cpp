@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <vector>
 
@@ -74,13 +75,12 @@ void check_baumgarte_rate(const System& system, const SimulationOptions& options
   const double bound = 10.0 * std::sqrt(options.relative_tolerance / epsilon) / time;
   if (options.baumgarte_rate <= bound) return;
   throw ModelError(fmt::format(
-      "simulation: baumgarte_rate = {:g} 1/s: at relative_tolerance = {:g} and a time scale of "
-      "{:g} "
-      "s accepted is up to {:.3g} 1/s; beyond it the steps only follow rounding of the constraints",
+      "simulation: baumgarte_rate = {:g} 1/s: at relative_tolerance = {:g} and a time scale of {:g} "
+      "s accepted is up to {:.3g} 1/s; beyond it steps only follow rounding of the constraints",
       options.baumgarte_rate, options.relative_tolerance, time, bound));
 }
 
-/// How far the drivers go from where they are.
+/// How far the drivers go from where they are, as far as they can be asked beforehand.
 struct Travel {
   double angle = 0.0;   // [rad]
   double length = 0.0;  // [m]
@@ -95,7 +95,11 @@ Travel travel_of_drivers(System& system, const State& state, double until) {
     for (int i = 0; i <= probes; ++i) {
       const double t = state.t + (until - state.t) * i / probes;
       system.set_motion(t, state.q.data(), state.v.data());
-      c.element->evaluate(system.motion(), {.phi = now.data()});
+      try {
+        c.element->evaluate(system.motion(), {.phi = now.data()});
+      } catch (const std::exception&) {  // a user's function; the run will tell if it gets there
+        break;
+      }
       if (i == 0) start = now;
       for (int k = 0; k < c.rows; ++k) {
         const auto at = static_cast<std::size_t>(k);

@@ -340,6 +340,23 @@ TEST_CASE("a driver that stops being a number ends the run by name, with results
   }
 }
 
+TEST_CASE("a driver that throws after a while ends the run there, with its own words") {
+  Model m = double_pendulum();
+  m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = [](double t) {
+                      if (t > 0.5) throw std::runtime_error("no data beyond 0.5 s");
+                      return TimeValue{.value = t, .rate = 1.0};
+                    }});
+  for (const std::string& formulation : every_formulation) {
+    INFO(formulation);
+    Result run;
+    CHECK_NOTHROW(run = simulate(m, {.until = 1.0, .formulation = formulation}));
+    INFO(run.summary.reason);
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK(contains(run.summary.reason, "no data beyond 0.5 s"));
+    CHECK(run.samples.rows() > 450);
+  }
+}
+
 TEST_CASE("a driver whose value jumps ends the run; the mechanism is not put somewhere else") {
   Model m = double_pendulum();
   m.add(AngleDriver{.name = "motor", .body = m.find_body("a"), .angle = [](double t) {
