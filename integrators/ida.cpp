@@ -28,7 +28,7 @@ namespace {
 constexpr int steps_per_matrix = 3;
 constexpr double step_change = 0.02;      // of dR/dy' that asks for a new matrix
 constexpr double probe = 50.0;            // changes of y, in tolerances, that show y''
-constexpr double first_error = 0.01;      // of the first step, in tolerances
+constexpr double first_error = 1e-4;      // of the first step, in tolerances
 constexpr double longest_first = 1000.0;  // the same, in times of the probe
 constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Newton's convergence
 

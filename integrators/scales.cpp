@@ -75,7 +75,8 @@ void check_baumgarte_rate(const System& system, const SimulationOptions& options
   const double bound = 10.0 * std::sqrt(options.relative_tolerance / epsilon) / time;
   if (options.baumgarte_rate <= bound) return;
   throw ModelError(fmt::format(
-      "simulation: baumgarte_rate = {:g} 1/s: at relative_tolerance = {:g} and a time scale of {:g} "
+      "simulation: baumgarte_rate = {:g} 1/s: at relative_tolerance = {:g} and a time scale of "
+      "{:g} "
       "s accepted is up to {:.3g} 1/s; beyond it steps only follow rounding of the constraints",
       options.baumgarte_rate, options.relative_tolerance, time, bound));
 }
