@@ -10,12 +10,12 @@
 #include <cmath>
 #include <vector>
 
-#include <yoke/core/auto_constraint.hpp>
-#include <yoke/core/auto_force.hpp>
+#include <yoke/core/authoring/auto_constraint.hpp>
+#include <yoke/core/authoring/auto_force.hpp>
 #include <yoke/core/error.hpp>
-#include <yoke/joints/applied_torque.hpp>
+#include <yoke/joints/forces/applied_torque.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/revolute.hpp>
-#include <yoke/joints/translational_spring.hpp>
 
 namespace yoke::cases {
 

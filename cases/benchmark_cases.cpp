@@ -7,7 +7,7 @@
 
 #include <yoke/cases/benchmark_andrews.hpp>
 #include <yoke/cases/benchmark_mechanisms.hpp>
-#include <yoke/cases/model_job.hpp>
+#include <yoke/cases/jobs/model_job.hpp>
 
 namespace yoke::cases {
 

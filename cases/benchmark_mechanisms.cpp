@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include <yoke/core/units.hpp>
-#include <yoke/joints/angle_driver.hpp>
-#include <yoke/joints/applied_force.hpp>
 #include <yoke/joints/distance.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
-#include <yoke/joints/translational_spring.hpp>
 
 namespace yoke::cases {
 

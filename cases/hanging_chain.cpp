@@ -4,10 +4,10 @@
 // A chain of uniform links that hangs from a pivot; one link is the pendulum.
 #include <string>
 
-#include <yoke/cases/model_job.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/forces/torsional_spring.hpp>
 #include <yoke/joints/revolute.hpp>
-#include <yoke/joints/torsional_spring.hpp>
 
 namespace yoke::cases {
 

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/cases/n_four_bar.hpp>
 
-#include <yoke/cases/model_job.hpp>
+#include <yoke/cases/jobs/model_job.hpp>
 
 namespace yoke::cases {
 

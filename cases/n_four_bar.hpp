@@ -12,7 +12,7 @@
 #include <string>
 
 #include <yoke/core/model.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
 
 namespace yoke::cases {

@@ -2,8 +2,8 @@
 // Copyright 2026 the Yoke authors
 //
 // A coupler on parallel cranks, more of them than it needs: an over-closed mechanism to look at.
-#include <yoke/cases/model_job.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
 
 namespace yoke::cases {

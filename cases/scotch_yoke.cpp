@@ -33,14 +33,14 @@
 
 #include <cmath>
 
-#include <yoke/cases/scotch_yoke_job.hpp>
-#include <yoke/contact/arc_slot.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
-#include <yoke/contact/johnson.hpp>
-#include <yoke/contact/table11.hpp>
+#include <yoke/cases/paper/scotch_yoke_job.hpp>
+#include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/laws/catalog/table11.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/johnson.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/time_function.hpp>
-#include <yoke/joints/angle_driver.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 

@@ -4,8 +4,8 @@
 // An ideal slider-crank driven at constant speed: something to try the analyses on.
 #include <cmath>
 
-#include <yoke/cases/model_job.hpp>
-#include <yoke/joints/angle_driver.hpp>
+#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 

@@ -14,8 +14,8 @@
 #include <memory>
 #include <string>
 
-#include <yoke/contact/law.hpp>
-#include <yoke/contact/slot.hpp>
+#include <yoke/contact/geometry/slot.hpp>
+#include <yoke/contact/laws/law.hpp>
 #include <yoke/core/force.hpp>
 
 namespace yoke {

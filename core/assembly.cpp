@@ -7,8 +7,8 @@
 #include <optional>
 #include <random>
 
-#include <yoke/core/dynamics.hpp>
-#include <yoke/core/least_change.hpp>
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/equations/least_change.hpp>
 
 namespace yoke {
 

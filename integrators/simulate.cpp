@@ -4,19 +4,19 @@
 
 #include <cmath>
 
-#include <yoke/core/fingerprint.hpp>
-#include <yoke/integrators/callback_failure.hpp>
-#include <yoke/integrators/choice.hpp>
-#include <yoke/integrators/element_events.hpp>
-#include <yoke/integrators/event_locator.hpp>
-#include <yoke/integrators/failure_texts.hpp>
-#include <yoke/integrators/run_checkpoints.hpp>
-#include <yoke/integrators/run_cost.hpp>
-#include <yoke/integrators/run_samples.hpp>
-#include <yoke/integrators/scales.hpp>
-#include <yoke/integrators/singular_crossing.hpp>
-#include <yoke/integrators/standstill.hpp>
-#include <yoke/integrators/start_checks.hpp>
+#include <yoke/integrators/run/checkpoint_schedule.hpp>
+#include <yoke/integrators/run/cost.hpp>
+#include <yoke/integrators/run/event_dispatch.hpp>
+#include <yoke/integrators/run/event_locator.hpp>
+#include <yoke/integrators/run/failure_messages.hpp>
+#include <yoke/integrators/run/fingerprint.hpp>
+#include <yoke/integrators/run/sampling.hpp>
+#include <yoke/integrators/run/singular/singular_crossing.hpp>
+#include <yoke/integrators/run/stall_detector.hpp>
+#include <yoke/integrators/run/start/automatic_choice.hpp>
+#include <yoke/integrators/run/start/error_weights.hpp>
+#include <yoke/integrators/run/start/start_checks.hpp>
+#include <yoke/integrators/sundials/callback_failure.hpp>
 
 namespace yoke {
 

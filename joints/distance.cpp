@@ -2,8 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/distance.hpp>
 
-#include <yoke/joints/checks.hpp>
-#include <yoke/joints/point_span.hpp>
+#include <yoke/joints/rows/checks.hpp>
+#include <yoke/joints/rows/point_span.hpp>
 
 namespace yoke {
 namespace {

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/gear.hpp>
 
-#include <yoke/joints/checks.hpp>
+#include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
 namespace {

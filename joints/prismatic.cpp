@@ -2,8 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/prismatic.hpp>
 
-#include <yoke/joints/checks.hpp>
-#include <yoke/joints/projection.hpp>
+#include <yoke/joints/rows/checks.hpp>
+#include <yoke/joints/rows/projection.hpp>
 
 namespace yoke {
 namespace {

@@ -2,8 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/weld.hpp>
 
-#include <yoke/joints/checks.hpp>
-#include <yoke/joints/point_pair.hpp>
+#include <yoke/joints/rows/checks.hpp>
+#include <yoke/joints/rows/point_pair.hpp>
 
 namespace yoke {
 namespace {

@@ -5,7 +5,7 @@
 // a hanging chain of N links (kinematics, joints, gravity, assembly, refactor, solve) against the
 // bare KLU refactor + solve of the very same matrix. Both are timed in turn, block by block, in one
 // run; the counter `ratio` is the median of the ratios of neighbouring blocks. Aim: at most 1.5.
-#include <yoke/core/dynamics.hpp>
+#include <yoke/core/equations/dynamics.hpp>
 #include <yoke/tests/bench/chain.hpp>
 
 namespace {

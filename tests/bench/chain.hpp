@@ -8,9 +8,9 @@
 #include <suitesparse/klu.h>
 #include <time.h>
 
-#include <yoke/core/sparse.hpp>
+#include <yoke/core/equations/sparse.hpp>
 #include <yoke/core/units.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
 
 #include <algorithm>

@@ -16,10 +16,10 @@
 
 #include <Eigen/Cholesky>
 
-#include <yoke/integrators/formulation.hpp>
-#include <yoke/integrators/scales.hpp>
+#include <yoke/integrators/formulations/formulation.hpp>
+#include <yoke/integrators/run/start/error_weights.hpp>
 #include <yoke/integrators/simulate.hpp>
-#include <yoke/integrators/sundials_vector.hpp>
+#include <yoke/integrators/sundials/vector.hpp>
 #include <yoke/tests/bench/chain.hpp>
 
 #include <limits>

@@ -20,8 +20,8 @@
 #include <random>
 #include <vector>
 
-#include <yoke/contact/johnson.hpp>
-#include <yoke/contact/power_fit.hpp>
+#include <yoke/contact/laws/catalog/power_fit.hpp>
+#include <yoke/contact/laws/elastic/johnson.hpp>
 
 namespace {
 

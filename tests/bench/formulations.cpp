@@ -13,12 +13,12 @@
 // Options: --most=N leaves out longer chains.
 #include <fmt/format.h>
 
-#include <yoke/integrators/acceleration_matrix.hpp>
-#include <yoke/integrators/generalised_alpha.hpp>
-#include <yoke/integrators/ggl_matrix.hpp>
-#include <yoke/integrators/scales.hpp>
+#include <yoke/integrators/formulations/equations/acceleration_matrix.hpp>
+#include <yoke/integrators/formulations/equations/ggl_equations.hpp>
+#include <yoke/integrators/formulations/generalised_alpha.hpp>
+#include <yoke/integrators/run/singular/singular_crossing.hpp>
+#include <yoke/integrators/run/start/error_weights.hpp>
 #include <yoke/integrators/simulate.hpp>
-#include <yoke/integrators/singular_crossing.hpp>
 #include <yoke/tests/bench/chain.hpp>
 
 #include <array>
@@ -99,7 +99,7 @@ SparseMatrix matrix_of(std::string_view name, Dynamics& dynamics, const Toleranc
   const auto n = static_cast<std::size_t>(system.dofs());
   const double c = 1.5 / step;
   if (name == "ida-ggl") {
-    GglMatrix matrix(system);
+    GglEquations matrix(system);
     std::vector<double> y(static_cast<std::size_t>(matrix.size()), 0.0), y_dot(y);
     std::copy_n(state.q.data(), n, y.begin());
     std::copy_n(state.v.data(), n, y.begin() + static_cast<std::ptrdiff_t>(n));

@@ -9,9 +9,9 @@
 #include <string>
 
 #include <yoke/cases/benchmark_andrews.hpp>
-#include <yoke/cases/benchmark_problems.hpp>
 #include <yoke/cases/n_four_bar.hpp>
-#include <yoke/core/check.hpp>
+#include <yoke/cases/validation/benchmark_problems.hpp>
+#include <yoke/core/authoring/check.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/tests/messages.hpp>

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include <yoke/cases/case.hpp>
-#include <yoke/cases/request.hpp>
+#include <yoke/cases/paper/scotch_yoke_job.hpp>
+#include <yoke/cases/program/request.hpp>
 #include <yoke/cases/scotch_yoke.hpp>
-#include <yoke/cases/scotch_yoke_job.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/tests/messages.hpp>

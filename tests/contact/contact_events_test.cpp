@@ -12,11 +12,11 @@
 #include <vector>
 
 #include <yoke/contact/contact_element.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
-#include <yoke/contact/power_law.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
 
-#include "scene.hpp"
-#include "test_laws.hpp"
+#include <yoke/tests/contact/laws/test_laws.hpp>
+#include <yoke/tests/contact/scene.hpp>
 
 using namespace yoke;
 using namespace yoke::tests;

@@ -6,18 +6,18 @@
 #include <limits>
 #include <string>
 
-#include <yoke/contact/arc_slot.hpp>
 #include <yoke/contact/contact_element.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
-#include <yoke/contact/johnson.hpp>
+#include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/johnson.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
-#include <yoke/contact/power_law.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/tests/messages.hpp>
 
-#include "scene.hpp"
-#include "test_laws.hpp"
+#include <yoke/tests/contact/laws/test_laws.hpp>
+#include <yoke/tests/contact/scene.hpp>
 
 using namespace yoke;
 using namespace yoke::tests;

@@ -8,9 +8,9 @@
 #include <string>
 
 #include <yoke/core/assembly.hpp>
-#include <yoke/core/dynamics.hpp>
+#include <yoke/core/equations/dynamics.hpp>
 #include <yoke/joints/distance.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/tests/messages.hpp>
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
-#include <yoke/core/auto_constraint.hpp>
-#include <yoke/core/auto_force.hpp>
+#include <yoke/core/authoring/auto_constraint.hpp>
+#include <yoke/core/authoring/auto_force.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/tests/messages.hpp>
 

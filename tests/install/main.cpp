@@ -4,13 +4,13 @@
 // A marble slides in a curved slot without friction: a pendulum whose string is the lower wall.
 #include <cmath>
 #include <cstdio>
-#include <yoke/contact/arc_slot.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
+#include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
-#include <yoke/contact/power_law.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 
 using namespace yoke;
 using namespace yoke::literals;

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include <yoke/contact/arc_slot.hpp>
-#include <yoke/contact/hunt_crossley.hpp>
+#include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
-#include <yoke/contact/power_law.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
-#include <yoke/joints/angle_driver.hpp>
-#include <yoke/joints/gravity.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 

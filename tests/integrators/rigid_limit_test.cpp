@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-#include <yoke/core/auto_constraint.hpp>
+#include <yoke/core/authoring/auto_constraint.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {

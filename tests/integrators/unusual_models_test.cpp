@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-#include <yoke/joints/applied_force.hpp>
-#include <yoke/joints/applied_torque.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/applied_torque.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/gear.hpp>
-#include <yoke/joints/translational_spring.hpp>
 #include <yoke/joints/weld.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 #include <yoke/tests/messages.hpp>

@@ -6,18 +6,18 @@
 
 #include <limits>
 
-#include <yoke/joints/angle_driver.hpp>
-#include <yoke/joints/applied_force.hpp>
-#include <yoke/joints/applied_torque.hpp>
-#include <yoke/joints/displacement_driver.hpp>
 #include <yoke/joints/distance.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/drivers/displacement_driver.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/applied_torque.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/forces/torsional_spring.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/gear.hpp>
-#include <yoke/joints/gravity.hpp>
 #include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
-#include <yoke/joints/torsional_spring.hpp>
-#include <yoke/joints/translational_spring.hpp>
 #include <yoke/joints/weld.hpp>
 #include <yoke/tests/joints/fixture.hpp>
 #include <yoke/tests/messages.hpp>

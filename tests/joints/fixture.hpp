@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <yoke/core/check.hpp>
+#include <yoke/core/authoring/check.hpp>
 #include <yoke/core/model.hpp>
 
 namespace yoke::tests {

@@ -4,11 +4,11 @@
 // Springs and loads in the motion of fixture.hpp; expectations worked out on paper.
 #include <doctest/doctest.h>
 
-#include <yoke/joints/applied_force.hpp>
-#include <yoke/joints/applied_torque.hpp>
-#include <yoke/joints/gravity.hpp>
-#include <yoke/joints/torsional_spring.hpp>
-#include <yoke/joints/translational_spring.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/applied_torque.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/forces/torsional_spring.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/tests/joints/fixture.hpp>
 
 using namespace yoke;

@@ -6,9 +6,9 @@
 // elsewhere.
 #include <doctest/doctest.h>
 
-#include <yoke/joints/angle_driver.hpp>
-#include <yoke/joints/displacement_driver.hpp>
 #include <yoke/joints/distance.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/drivers/displacement_driver.hpp>
 #include <yoke/joints/gear.hpp>
 #include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>

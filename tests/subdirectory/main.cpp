@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
-#include <yoke/joints/angle_driver.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include <yoke/cases/benchmark_problems.hpp>
+#include <yoke/cases/validation/benchmark_problems.hpp>
 
 namespace {
 

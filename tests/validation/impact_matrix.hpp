@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // One impact through the engine against its reference. The whole matrix is in impacts_test.cpp
-// (label validation), every law at least once in tests/cases/impacts_test.cpp.
+// (label validation), every law at least once in tests/cases/jobs/impacts_test.cpp.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,9 +12,9 @@
 #include <optional>
 #include <string>
 
-#include <yoke/cases/impact.hpp>
-#include <yoke/contact/dissipative_catalog.hpp>
-#include <yoke/contact/elastic_catalog.hpp>
+#include <yoke/cases/jobs/impact.hpp>
+#include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
+#include <yoke/contact/laws/catalog/elastic_catalog.hpp>
 #include <yoke/tests/validation/impact_reference.hpp>
 
 namespace yoke::reference {

@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include <yoke/integrators/checkpoint.hpp>
+#include <yoke/integrators/run/checkpoint.hpp>
 #include <yoke/tests/files.hpp>
 
 extern char** environ;

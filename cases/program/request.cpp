@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/program/request.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include <yoke/cases/program/verb.hpp>
+#include <yoke/core/error.hpp>
+#include <yoke/core/result.hpp>
+#include <yoke/integrators/simulate.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+std::string checked_formulation(const std::string& name) {
+  std::vector<std::string> known;
+  for (const FormulationNote& note : formulations()) known.emplace_back(note.name);
+  known.emplace_back("automatic");
+  if (name.empty()) return known.back();
+  if (std::ranges::find(known, name) == known.end())
+    throw ModelError(fmt::format("unknown formulation '{}'{}", name, suggestion(name, known)));
+  return name;
+}
+
+long checked_events(long n) {
+  if (n < 1) throw ModelError(fmt::format("--checkpoint-events {}: must be at least 1", n));
+  return n;
+}
+
+double checked_interval(const std::string& text) {
+  if (text.empty()) return 0.0;
+  const double every = parse_quantity("--checkpoint", Quantity::time, text);
+  if (!(every > 0.0))
+    throw ModelError(fmt::format("--checkpoint {}: must be greater than 0 s", text));
+  return every;
+}
+
+/// Refused where it would do nothing.
+std::optional<double> checked_spectral_radius(const RequestOptions& o) {
+  if (o.spectral_radius.empty()) return std::nullopt;
+  const double radius = parse_quantity("--spectral-radius", Quantity::number, o.spectral_radius);
+  if (!(radius >= 0.0 && radius <= 0.999))
+    throw ModelError(
+        fmt::format("--spectral-radius {}: accepted is 0 to 0.999", o.spectral_radius));
+  constexpr const char* only = "generalised-alpha";
+  if (o.formulation != only)
+    throw ModelError(fmt::format(
+        "--spectral-radius {}: formulation '{}' has none; it belongs to --formulation {}",
+        o.spectral_radius, o.formulation.empty() ? "automatic" : o.formulation, only));
+  return radius;
+}
+
+void print_case_help(const Case& c) {
+  fmt::print("\n{}: {}\n\nParameters (--set name=value)\n", c.name, c.description);
+  for (const CaseParameter& p : c.parameters) {
+    fmt::print("  {:<16} {}\n", p.name, p.description);
+    fmt::print("  {:<16} default {}; {}{}\n", "", p.default_text, p.range_text(),
+               p.numeric() && p.quantity != Quantity::number
+                   ? fmt::format("; units {}", accepted_units(p.quantity))
+                   : "");
+  }
+  if (!c.laws.empty()) fmt::print("\nLaws (--law NAME)\n");
+  for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
+  fmt::print("\nFormulations (--formulation NAME; default: automatic, chosen from the model)\n");
+  for (const FormulationNote& f : formulations())
+    fmt::print("  {:<22} {}\n", f.name, f.description);
+}
+
+}  // namespace
+
+void add_case_options(CLI::App& verb, RequestOptions& o) {
+  verb.set_help_flag();  // our own, because CASE changes what it prints
+  verb.add_flag("-h,--help", o.help, "Print this help; with CASE also its parameters and laws");
+  verb.add_option("CASE", o.case_name, "Name of the case; see 'yoke list'");
+  verb.add_option("--set", o.settings, "Set a parameter: --set crank_length=50mm; repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  verb.add_option("--rtol", o.relative_tolerance, "Relative tolerance, 1e-13 to 1e-2")
+      ->type_name("X")
+      ->capture_default_str();
+  verb.add_option("--formulation", o.formulation, "How to integrate; see below or 'yoke list'")
+      ->type_name("NAME");
+  verb.add_option("--jobs", o.jobs, "Runs at a time; default: one per processor")->type_name("N");
+}
+
+void add_output_options(CLI::App& verb, RequestOptions& o) {
+  verb.add_option("-o,--output", o.output, "Folder for the results")->type_name("DIR");
+  verb.add_option("--law", o.laws, "Only this contact law; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
+  verb.add_flag("--verify", o.verify,
+                "Run again by another formulation at a tighter tolerance and tell how many digits "
+                "of each quantity agree");
+  verb.add_option("--checkpoint", o.checkpoint,
+                  "Write a checkpoint every so much simulated time, as 0.01s, to go on from with "
+                  "'yoke resume DIR'")
+      ->type_name("TIME");
+  verb.add_option_function<long>(
+          "--checkpoint-events", [&o](long n) { o.checkpoint_events = checked_events(n); },
+          "Write a checkpoint at every so many contact events")
+      ->type_name("N");
+  verb.add_option("--spectral-radius", o.spectral_radius,
+                  "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "
+                  "0.8")
+      ->type_name("X");
+}
+
+namespace {
+
+const char* const options_file = "run.json";
+
+/// The fields that decide what a run computes and writes.
+template <class Options, class Visit>
+void visit_options(Options& o, Visit&& visit) {
+  visit("case", o.case_name);
+  visit("set", o.settings);
+  visit("laws", o.laws);
+  visit("samples", o.samples);
+  visit("relative_tolerance", o.relative_tolerance);
+  visit("formulation", o.formulation);
+  visit("no_plots", o.no_plots);
+  visit("verify", o.verify);
+  visit("checkpoint", o.checkpoint);
+  visit("checkpoint_events", o.checkpoint_events);
+  visit("spectral_radius", o.spectral_radius);
+}
+
+}  // namespace
+
+void save_options(const RequestOptions& options, const std::filesystem::path& folder) {
+  nlohmann::ordered_json json;
+  visit_options(options, [&](const char* name, const auto& value) { json[name] = value; });
+  make_output_folder(folder);
+  write_text(folder / options_file, json.dump(2));
+}
+
+RequestOptions load_options(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / options_file;
+  std::ifstream file(path);
+  if (!file)
+    throw ModelError(fmt::format("there is no '{}': 'yoke run ... -o {}' did not write here",
+                                 path.string(), folder.string()));
+  RequestOptions options;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(file);
+    visit_options(options, [&](const char* name, auto& value) { json.at(name).get_to(value); });
+  } catch (const nlohmann::json::exception& error) {
+    throw ModelError(fmt::format("'{}' is damaged: {}", path.string(), error.what()));
+  }
+  options.output = folder.string();
+  return options;
+}
+
+SimulationOptions simulation_options(const RunRequest& request, double until, int samples,
+                                     const std::filesystem::path& folder) {
+  SimulationOptions options;
+  options.until = until;
+  options.relative_tolerance = request.relative_tolerance;
+  options.formulation = request.formulation;
+  options.samples = samples;
+  if (request.spectral_radius) options.spectral_radius = *request.spectral_radius;
+  if (request.checkpoint_every > 0.0 || request.checkpoint_events > 0)
+    options.checkpoints = {.folder = folder / "checkpoint",
+                           .every = request.checkpoint_every,
+                           .every_events = request.checkpoint_events,
+                           .resume = request.resume};
+  return options;
+}
+
+RunRequest make_request(const Case& c, const RequestOptions& o) {
+  if (o.samples < 2)
+    throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
+  if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
+    throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
+  if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
+  const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return {.parameters = Parameters(c.parameters, o.settings),
+          .laws = choose_laws(c, o.laws),
+          .output = o.output.empty() ? c.default_output : std::filesystem::path(o.output),
+          .samples = o.samples,
+          .relative_tolerance = o.relative_tolerance,
+          .formulation = checked_formulation(o.formulation),
+          .plots = !o.no_plots,
+          .jobs = o.jobs > 0 ? o.jobs : processors,
+          .verify = o.verify,
+          .spectral_radius = checked_spectral_radius(o),
+          .checkpoint_every = checked_interval(o.checkpoint),
+          .checkpoint_events = o.checkpoint_events};
+}
+
+int print_help(const CLI::App& verb, const RequestOptions& options) {
+  fmt::print("{}", verb.help("yoke"));
+  if (!options.case_name.empty()) {
+    print_case_help(find_case(options.case_name));
+    return exit_ok;
+  }
+  fmt::print("\nCases\n");
+  for (const Case& c : case_registry()) fmt::print("  {:<16} {}\n", c.name, c.description);
+  fmt::print("\n'yoke {} CASE --help' lists the parameters and laws of a case.\n", verb.get_name());
+  return exit_ok;
+}
+
+int exit_code(RunStatus status) {
+  switch (status) {
+    case RunStatus::completed:
+      return exit_ok;
+    case RunStatus::interrupted:
+      return exit_interrupted;
+    case RunStatus::failed:
+      break;
+  }
+  return exit_failed;
+}
+
+}  // namespace yoke::cases

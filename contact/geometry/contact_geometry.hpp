@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The seam for the shape of a contact: penetration d, its gradient g = dd/dq and Hessian H = dg/dq
+// over q = (x, y, angle) of body a and of body b, for each region of the surface.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <yoke/core/motion.hpp>
+
+namespace yoke {
+
+/// One region at one state, over q = (x, y, angle) of body a and of body b.
+struct ContactKinematics {
+  static constexpr std::size_t columns = 6;
+  double penetration = 0.0;                         // [m] d, > 0 in contact
+  std::array<double, columns> gradient{};           // g = dd/dq
+  std::array<double, columns * columns> hessian{};  // H = dg/dq, row-major
+};
+
+/// Where a region is, or would be, touched.
+struct ContactPlace {
+  Vec2 point{0.0, 0.0};              // [m] on the wall, global frame
+  double tangential_velocity = 0.0;  // [m/s] of a's surface relative to b's, along perp(normal)
+  double wall_curvature = 0.0;       // [1/m] > 0 convex wall, < 0 concave
+};
+
+/// The shape of a contact, all a contact element asks of it. Regions are numbered from 0.
+class ContactGeometry {
+ public:
+  virtual ~ContactGeometry() = default;
+
+  /// Names of the regions as written to results; two may have the same.
+  virtual std::vector<std::string> region_names() const = 0;
+  /// The region nearest to being touched.
+  virtual int nearest(const Motion& motion) const = 0;
+  /// [m] d by the formula of the region, also beyond its range.
+  virtual double penetration(const Motion& motion, int region) const = 0;
+  /// Penetration and gradient, and the Hessian if wanted.
+  virtual void calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                               ContactKinematics& out) const = 0;
+  virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;
+  /// [m] crosses zero upwards where the region ends; about the distance beyond its end.
+  virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }
+  /// The region that begins there.
+  virtual int successor(const Motion& /*motion*/, int region) const { return region; }
+};
+
+}  // namespace yoke

@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/dynamics.hpp>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <yoke/core/equations/least_change.hpp>
+
+namespace yoke {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int max_projection_iterations = 12;
+constexpr int max_assembly_iterations = 60;
+// Reciprocal condition below which the equations are looked at by a rank-revealing QR.
+constexpr double suspicious = 1e-11;
+// Residual of an equation left out, in length scales or rad, or of its rates in parts of what they
+// are made of, above which it contradicts the others.
+constexpr double agreement = 1e-8;
+}  // namespace
+
+Dynamics::Dynamics(const Model& model) : system_(model) {
+  build_matrix();
+  lu_.emplace(matrix_);
+  const std::size_t size = at(system_.dofs() + system_.rows());
+  b_.assign(size + 1, 0.0);
+  phi_.assign(at(system_.rows()), 0.0);
+  residual_.assign(at(system_.rows()), 0.0);
+  zero_.assign(at(system_.dofs()), 0.0);
+  q_factorised_.assign(at(system_.dofs()), 0.0);
+}
+
+void Dynamics::build_matrix() {
+  const int n = system_.dofs();
+  PatternBuilder pattern(n + system_.rows());
+  for (int i = 0; i < n; ++i) pattern.add(i, i);
+  for (const int row : system_.dropped_rows()) pattern.add(n + row, n + row);
+  const auto diagonal = at(n) + system_.dropped_rows().size();
+  stamps_.clear();
+  stamp_start_.clear();
+  stamp_start_.push_back(0);
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system_.dof()[at(c.dofs + j)];
+        if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_dropped(c.row + i)) continue;
+        const int row = n + c.row + i;
+        const int lower = pattern.add(row, dof);
+        stamps_.push_back({c.block + i * c.columns + j, lower, pattern.add(dof, row)});
+      }
+    }
+    stamp_start_.push_back(stamps_.size());
+  }
+  std::vector<int> slot;
+  matrix_ = pattern.compile(slot);
+  for (int i = 0; i < n; ++i) matrix_.value[at(slot[at(i)])] = system_.mass()[at(i)];
+  for (std::size_t i = at(n); i < diagonal; ++i) matrix_.value[at(slot[i])] = 1.0;
+  for (Stamp& s : stamps_) {
+    s.lower = slot[at(s.lower)];
+    s.upper = slot[at(s.upper)];
+  }
+}
+
+void Dynamics::leave_out(const std::vector<int>& rows) {
+  if (rows == system_.dropped_rows()) return;
+  system_.drop_rows(rows);
+  retired_ = counters();
+  build_matrix();
+  lu_.emplace(matrix_);
+  factorised_ = false;
+  weakest_.clear();
+}
+
+FactorCounters Dynamics::counters() const {
+  const FactorCounters& now = lu_->counters();
+  return {retired_.refactorisations + now.refactorisations, retired_.fresh + now.fresh};
+}
+
+void Dynamics::reset() {
+  lu_->reset();
+  factorised_ = false;
+  weakest_.clear();
+}
+
+void Dynamics::stamp(std::size_t constraint) {
+  const double* G = system_.G();
+  double* value = matrix_.value.data();
+  for (std::size_t i = stamp_start_[constraint]; i < stamp_start_[constraint + 1]; ++i) {
+    const Stamp& s = stamps_[i];
+    value[s.lower] = value[s.upper] = G[s.entry];
+  }
+}
+
+bool Dynamics::same_as_factorised(double t, const double* q) const {
+  return factorised_ && t == t_factorised_ &&
+         std::memcmp(q, q_factorised_.data(), sizeof(double) * q_factorised_.size()) == 0;
+}
+
+bool Dynamics::factorise_at(double t, const double* q) {
+  factorised_ = lu_->factorise(matrix_);
+  t_factorised_ = t;
+  std::copy_n(q, q_factorised_.size(), q_factorised_.begin());
+  return factorised_;
+}
+
+bool Dynamics::calc_accelerations(double t, const double* q, const double* v, const double* z,
+                                  double* a, double* lambda, double* z_dot,
+                                  double* quadrature_rates, const Baumgarte* stabilisation) {
+  ++evaluations_;
+  const int n = system_.dofs();
+  double* gamma = b_.data() + n;
+  system_.set_motion(t, q, v);
+  system_.set_states(z);
+  // A step ends with a projection whose factors serve the first evaluation of the next step.
+  const bool reuse = same_as_factorised(t, q);
+  const auto constraints = system_.constraints();
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const ConstraintSlot& c = constraints[i];
+    c.element->evaluate(system_.motion(),
+                        {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
+                         .G = reuse ? nullptr : system_.G() + c.block,
+                         .gamma = gamma + c.row});
+    if (!reuse) stamp(i);
+  }
+  for (const int row : system_.dropped_rows()) gamma[row] = 0.0;
+  if (stabilisation != nullptr) {
+    system_.calc_velocity_residual(residual_.data());
+    const double damping = 2.0 * stabilisation->alpha;
+    const double stiffness = stabilisation->beta * stabilisation->beta;
+    for (int i = 0; i < system_.rows(); ++i)
+      if (!system_.is_dropped(i)) gamma[i] -= damping * residual_[at(i)] + stiffness * phi_[at(i)];
+  }
+  if (!reuse && !factorise_at(t, q)) return false;
+
+  // Forces on the ground are collected in b_[n], which belongs to gamma: it is put back afterwards.
+  std::fill_n(b_.begin(), n, 0.0);
+  const double first_gamma = gamma[0];
+  system_.add_forces(b_.data(), z_dot, quadrature_rates);
+  gamma[0] = first_gamma;
+  lu_->solve(b_.data());
+
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < b_.size(); ++i) sum += b_[i];
+  if (z_dot != nullptr)
+    for (int i = 0; i < system_.states(); ++i) sum += z_dot[i];
+  if (!std::isfinite(sum)) {
+    system_.blame_not_finite();
+    factorised_ = false;
+    return false;
+  }
+  std::copy_n(b_.begin(), n, a);
+  if (lambda != nullptr) std::copy_n(b_.begin() + n, system_.rows(), lambda);
+  if (quadrature_rates != nullptr) system_.add_driver_power(gamma, quadrature_rates);
+  return true;
+}
+
+bool Dynamics::calc_accelerations(State& state) {
+  system_.bind(state);
+  return calc_accelerations(state.t, state.q.data(), state.v.data(), state.z.data(), state.a.data(),
+                            state.lambda.data(), nullptr, nullptr);
+}
+
+double Dynamics::position_tolerance(const double* q) const {
+  double size = 1.0;  // largest coordinate in units of the length scale or 1 rad
+  for (int i = 0; i < system_.dofs(); i += 3) {
+    const double extent = std::max(std::abs(q[i]), std::abs(q[i + 1])) / system_.scales().length;
+    size = std::max({size, extent, std::abs(q[i + 2])});
+  }
+  return 16.0 * eps * size;
+}
+
+bool Dynamics::improve_position(double* q) {
+  const int n = system_.dofs();
+  std::fill_n(b_.begin(), n, 0.0);
+  for (int i = 0; i < system_.rows(); ++i)
+    b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -phi_[at(i)];
+  lu_->solve(b_.data());
+  for (int i = 0; i < n; ++i) {
+    if (!std::isfinite(b_[at(i)])) return false;
+    q[i] += b_[at(i)];
+  }
+  return true;
+}
+
+bool Dynamics::project_positions(double t, double* q, Correction how) {
+  const double tolerance = position_tolerance(q);
+  double last = std::numeric_limits<double>::infinity();
+  corrected_ = last;
+  for (int iteration = 0; iteration < max_projection_iterations; ++iteration) {
+    system_.set_motion(t, q, zero_.data());
+    system_.calc_position_level(phi_.data());
+    const double norm = system_.norm(phi_.data(), &worst_row_);
+    worst_residual_ = system_.rows() > 0 ? phi_[at(worst_row_)] : 0.0;
+    const bool enough = norm <= tolerance &&
+                        (how == Correction::coarse || (how == Correction::smooth && iteration > 0));
+    // Newton squares the error; where it stops doing so, rounding is all that is left.
+    if (enough || norm == 0.0 || (norm < 1e3 * tolerance && norm > 0.5 * last)) return true;
+    if (!std::isfinite(norm)) return false;
+    last = norm;
+    if (!same_as_factorised(t, q)) {
+      for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+      if (!factorise_at(t, q)) return false;
+    }
+    if (!improve_position(q)) return false;
+    corrected_ = norm;
+  }
+  return false;
+}
+
+bool Dynamics::project_velocities(double t, const double* q, double* v) {
+  system_.set_motion(t, q, v);
+  if (!same_as_factorised(t, q)) {
+    system_.calc_position_level(phi_.data());
+    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+    if (!factorise_at(t, q)) return false;
+  }
+  return improve_velocity(v);
+}
+
+bool Dynamics::project(double t, double* q, double* v, Correction how) {
+  if (!project_positions(t, q, how)) return false;
+  system_.set_motion(t, q, v);
+  // The factors are those of the position before the last correction. If that was within rounding
+  // of this one they serve as well.
+  const bool serve = how == Correction::smooth && corrected_ <= 1e3 * position_tolerance(q);
+  if (!serve && !same_as_factorised(t, q)) {
+    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+    if (!factorise_at(t, q)) return false;
+  }
+  return improve_velocity(v);
+}
+
+// At the motion set, with the factors there are.
+bool Dynamics::improve_velocity(double* v) {
+  const int n = system_.dofs();
+  system_.calc_velocity_residual(residual_.data());
+  std::fill_n(b_.begin(), n, 0.0);
+  for (int i = 0; i < system_.rows(); ++i)
+    b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -residual_[at(i)];
+  lu_->solve(b_.data());
+  for (int i = 0; i < n; ++i) {
+    if (!std::isfinite(b_[at(i)])) return false;
+    v[i] += b_[at(i)];
+  }
+  return true;
+}
+
+bool Dynamics::project(State& state) {
+  system_.bind(state);
+  if (project(state.t, state.q.data(), state.v.data()) && calc_accelerations(state)) return true;
+  return project_singular(state);
+}
+
+// Where the rank falls short, what is left of the equations still has a solution.
+bool Dynamics::project_singular(State& state) {
+  if (!system_.not_finite().empty() || !state.q.allFinite() || !state.v.allFinite()) return false;
+  const std::vector<int> left_out = system_.dropped_rows();
+  std::vector<char> ignored(at(system_.rows()), 0);
+  for (const int row : left_out) ignored[at(row)] = 1;
+  LeastChange nearest(system_, {system_.mass().begin(), system_.mass().end()}, {}, ignored);
+  factorised_ = false;  // the blocks of G are no longer those of the factors
+  if (!nearest.solve_positions(state.t, state.q.data())) return false;
+  if (!nearest.solve_velocities(state.t, state.q.data(), state.v.data())) return false;
+  const RankAnalysis here = analyse_rank(system_);
+  if (here.dependent.empty()) return false;
+  leave_out(here.dependent);
+  const bool solved = calc_accelerations(state);
+  const bool consistent = solved && check_left_out(state, here);
+  leave_out(left_out);
+  if (!consistent) return false;
+  const Eigen::MatrixXd u = here.null_space;
+  state.lambda -= u * (u.transpose() * u).ldlt().solve(u.transpose() * state.lambda);
+  return true;
+}
+
+// Do the equations left out hold for the rates and accelerations found without them?
+Outcome Dynamics::check_left_out(const State& state, const RankAnalysis& analysis) {
+  system_.bind(state);
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  std::vector<double> gamma(at(system_.rows())), rate(gamma);
+  for (const ConstraintSlot& c : system_.constraints())
+    c.element->evaluate(
+        system_.motion(),
+        {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = gamma.data() + c.row});
+  factorised_ = false;
+  system_.calc_velocity_residual(rate.data());
+  const double length = system_.scales().length;
+  double speed = 0.0, acceleration = 0.0;
+  for (int i = 0; i < system_.dofs(); ++i) {
+    const double size = i % 3 == 2 ? 1.0 : length;
+    speed = std::max(speed, std::abs(state.v[i]) / size);
+    acceleration = std::max(acceleration, std::abs(state.a[i]) / size);
+  }
+  acceleration = std::max(acceleration, speed * speed);
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      const int row = c.row + i;
+      if (std::ranges::find(analysis.dependent, row) == analysis.dependent.end()) continue;
+      double residual = -gamma[at(row)];
+      for (int j = 0; j < c.columns; ++j)
+        if (const int dof = system_.dof()[at(c.dofs + j)]; dof >= 0)
+          residual += system_.G()[c.block + i * c.columns + j] * state.a[dof];
+      const bool is_length = system_.measure(row) == Measure::length;
+      const double size = is_length ? length : 1.0;
+      const auto refuse = [&](const char* what, double value, const char* per) {
+        return Outcome{false,
+                       fmt::format("'{}' is in conflict with {}: its {} stays violated by "
+                                   "{:g} {}/{}",
+                                   system_.equation_name(row), partners_of(system_, analysis, row),
+                                   what, value, is_length ? "m" : "rad", per)};
+      };
+      if (std::abs(rate[at(row)]) > agreement * size * (speed + 1e-12))
+        return refuse("rate", rate[at(row)], "s");
+      if (std::abs(residual) > agreement * size * (acceleration + 1e-12))
+        return refuse("acceleration", residual, "s^2");
+    }
+  }
+  return {};
+}
+
+Outcome Dynamics::assemble(State& state) {
+  system_.bind(state);
+  const Eigen::VectorXd q = state.q, v = state.v;
+  bool positions = false;
+  for (int round = 0; round * max_projection_iterations < max_assembly_iterations; ++round) {
+    positions = project_positions(state.t, state.q.data());
+    if (positions) break;
+    if (!std::isfinite(worst_residual_))
+      return {false, "a joint gives a value that is not finite at the start pose"};
+    if (!factorised_) break;
+  }
+  if (positions && project_velocities(state.t, state.q.data(), state.v.data()) &&
+      lu_->reciprocal_condition() > suspicious)
+    return finish_assembly(state);
+  state.q = q;
+  state.v = v;
+  return assemble_from_afar(state);
+}
+
+Outcome Dynamics::finish_assembly(State& state) {
+  if (calc_accelerations(state)) return {};
+  if (system_.not_finite().empty())
+    return {false, "the mass matrix or a joint is singular at the start pose"};
+  return {false, fmt::format("accelerations at the start are not finite because of '{}'",
+                             system_.not_finite())};
+}
+
+Outcome Dynamics::explain_positions(const LeastChange& failed) const {
+  const int worst = failed.worst_row();
+  const double residual = failed.residual()[at(worst)];
+  // Where the sum of squares is least, what is left of the equations is in balance with each other.
+  std::string others;
+  int count = 0;
+  for (int i = 0; i < system_.rows() && count < 5; ++i) {
+    if (i == worst || std::abs(failed.residual()[at(i)]) < 0.1 * std::abs(residual)) continue;
+    others += (others.empty() ? ", in conflict with '" : ", '") + system_.equation_name(i) + "'";
+    ++count;
+  }
+  return {false, fmt::format("the start pose cannot be assembled: '{}' stays violated by {:g} {}{}",
+                             system_.equation_name(worst), residual,
+                             system_.measure(worst) == Measure::length ? "m" : "rad", others)};
+}
+
+Outcome Dynamics::assemble_from_afar(State& state) {
+  factorised_ = false;
+  LeastChange nearest(system_, {system_.mass().begin(), system_.mass().end()});
+  if (!nearest.solve_positions(state.t, state.q.data())) return explain_positions(nearest);
+  redundancy_ = analyse_redundancy(system_, state);
+  if (!redundancy_.conflict.empty()) return {false, redundancy_.conflict};
+  if (!nearest.solve_velocities(state.t, state.q.data(), state.v.data())) {
+    const int worst = nearest.worst_row();
+    return {false,
+            fmt::format("'{}' is in conflict with {}: its rate stays violated by {:g} {}/s",
+                        system_.equation_name(worst), partners_of(system_, redundancy_.here, worst),
+                        nearest.residual()[at(worst)],
+                        system_.measure(worst) == Measure::length ? "m" : "rad")};
+  }
+  return settle_redundancy(state);
+}
+
+Outcome Dynamics::settle_redundancy(State& state) {
+  leave_out(redundancy_.here.dependent);
+  if (Outcome outcome = finish_assembly(state); !outcome) return outcome;
+  if (redundancy_.here.dependent.empty()) return {};
+  if (Outcome outcome = check_left_out(state, redundancy_.here); !outcome) {
+    if (redundancy_.singular_here)
+      outcome.why +=
+          "; the start is a singular position, where the velocities must be those of one "
+          "of the branches that meet there: give them, or start beside it";
+    return outcome;
+  }
+  if (!redundancy_.singular_here) return {};
+  if (state.v.isZero(0.0) && system_.dofs() > redundancy_.rank)
+    return {false, fmt::format(
+                       "the start is a singular position at rest ('{}' depends on {} only there): "
+                       "nothing says on which branch it moves on; give a velocity or start beside "
+                       "it",
+                       system_.equation_name(redundancy_.here.dependent.front()),
+                       partners_of(system_, redundancy_.here, redundancy_.here.dependent.front()))};
+  leave_out(redundancy_.redundant);
+  return project_singular(state)
+             ? Outcome{}
+             : Outcome{false, "accelerations at the singular position of the start do not exist"};
+}
+
+std::string Dynamics::contradiction(double t, const double* q, double bound) {
+  if (system_.dropped_rows().empty()) return {};
+  system_.set_motion(t, q, zero_.data());
+  // Without G, so that the factors stay those of the blocks.
+  for (const ConstraintSlot& c : system_.constraints()) {
+    bool left_out = false;
+    for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_dropped(i);
+    if (left_out) c.element->evaluate(system_.motion(), {.phi = phi_.data() + c.row});
+  }
+  for (const int row : system_.dropped_rows()) {
+    const bool is_length = system_.measure(row) == Measure::length;
+    const double residual = phi_[at(row)];
+    if (std::abs(residual) <= bound * (is_length ? system_.scales().length : 1.0)) continue;
+    return fmt::format(
+        "'{}' was redundant at the start but is in conflict with {} at t = {:.9g} s: "
+        "it is violated by {:g} {}",
+        system_.equation_name(row), partners_of(system_, redundancy_.here, row), t, residual,
+        is_length ? "m" : "rad");
+  }
+  return {};
+}
+
+double Dynamics::independence(double t, const double* q, int iterations) {
+  const int n = system_.dofs(), rows = system_.rows();
+  if (weakest_.empty()) {  // no direction yet
+    weakest_.resize(at(rows));
+    for (int i = 0; i < rows; ++i) weakest_[at(i)] = std::cos(1.0 + 2.4 * i);
+    row_size_.assign(at(rows), 1.0);
+    iterations = std::max(iterations, 6);
+  }
+  if (!same_as_factorised(t, q)) {
+    system_.set_motion(t, q, zero_.data());
+    system_.calc_position_level(phi_.data());
+    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+    if (!factorise_at(t, q)) return 0.0;
+  }
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      double sum = 0.0;
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system_.dof()[at(c.dofs + j)];
+        const double g = system_.G()[c.block + i * c.columns + j];
+        if (dof >= 0) sum += g * g / system_.mass()[at(dof)];
+      }
+      row_size_[at(c.row + i)] = sum > 0.0 && !system_.is_dropped(c.row + i) ? std::sqrt(sum) : 0.0;
+    }
+  }
+  double eigenvalue = 0.0;
+  for (int round = 0; round < iterations; ++round) {
+    double before = 0.0, after = 0.0;
+    std::fill_n(b_.begin(), n, 0.0);
+    for (int i = 0; i < rows; ++i) {
+      // A little of everything, or a direction the last one has no part in would stay unseen.
+      const double w =
+          row_size_[at(i)] > 0.0 ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
+      b_[at(n + i)] = w * row_size_[at(i)];
+      before += w * w;
+    }
+    lu_->solve(b_.data());
+    for (int i = 0; i < rows; ++i) {
+      weakest_[at(i)] = row_size_[at(i)] * b_[at(n + i)];
+      after += weakest_[at(i)] * weakest_[at(i)];
+    }
+    if (!(after > 0.0) || !std::isfinite(after)) return after == 0.0 ? 1.0 : 0.0;
+    eigenvalue = std::sqrt(before / after);
+    double largest = 0.0;
+    for (int i = 0; i < rows; ++i) {
+      weakest_[at(i)] /= std::sqrt(after);
+      if (std::abs(weakest_[at(i)]) <= largest) continue;
+      largest = std::abs(weakest_[at(i)]);
+      weakest_row_ = i;
+    }
+  }
+  return eigenvalue;
+}
+
+double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) {
+  std::fill(b_.begin(), b_.end(), 0.0);
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) b_[at(dof)] += direction[j];
+  lu_->solve(b_.data());
+  double mobility = 0.0;
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0)
+      mobility += direction[j] * b_[at(dof)];
+  return mobility > 0.0 ? 1.0 / mobility : std::numeric_limits<double>::infinity();
+}
+
+double Dynamics::position_violation(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.calc_position_level(phi_.data());
+  double worst = 0.0;
+  for (const double r : phi_) worst = std::max(worst, std::abs(r));
+  worst_residual_ = system_.norm(phi_.data(), &worst_row_);
+  factorised_ = false;  // G changed under the factors
+  return worst;
+}
+
+double Dynamics::velocity_violation(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.calc_position_level(phi_.data());
+  system_.calc_velocity_residual(residual_.data());
+  double worst = 0.0;
+  for (const double r : residual_) worst = std::max(worst, std::abs(r));
+  factorised_ = false;
+  return worst;
+}
+
+}  // namespace yoke

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The equations of motion at acceleration level, and the projections that keep a state on the
+// constraints. One sparse matrix serves them all:
+//
+//   [ M  G^T ] [ a      ]   [ Q     ]      accelerations and multipliers
+//   [ G  0   ] [ lambda ] = [ gamma ]
+//
+//   [ M  G^T ] [ dq ]   [  0   ]           nearest position on Phi = 0, in the metric of the masses
+//   [ G  0   ] [ .  ] = [ -Phi ]
+//
+//   [ M  G^T ] [ dv ]   [  0             ] nearest velocity on G v + Phi_t = 0
+//   [ G  0   ] [ .  ] = [ -(G v + Phi_t) ]
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <yoke/core/equations/redundancy.hpp>
+#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/system.hpp>
+
+namespace yoke {
+
+/// Outcome of a numerical operation; `why` names the equation or body when it failed.
+struct Outcome {
+  bool ok = true;
+  std::string why;
+  explicit operator bool() const { return ok; }
+};
+
+/// Gains of Baumgarte's stabilisation: G v' = gamma - 2 alpha (G v + Phi_t) - beta^2 Phi.
+struct Baumgarte {
+  double alpha = 0.0;  // [1/s]
+  double beta = 0.0;   // [1/s]
+};
+
+/// How much of a violation a projection corrects.
+enum class Correction {
+  coarse,  ///< nothing within rounding of the largest coordinate; costs least
+  smooth,  ///< at least one correction: a method with a history would see one that comes and goes
+  exact,   ///< until nothing is gained any more
+};
+
+class Dynamics {
+ public:
+  explicit Dynamics(const Model& model);
+
+  System& system() { return system_; }
+  const System& system() const { return system_; }
+
+  /// Forgets the factorisation, so that a run starts from a fresh one.
+  void reset();
+
+  /// a [dofs], lambda [rows], z_dot, quadrature rates at (t, q, v, z); pointers but a may be null.
+  /// False if the matrix is singular or a result is not finite. Innermost loop; allocates nothing.
+  bool calc_accelerations(double t, const double* q, const double* v, const double* z, double* a,
+                          double* lambda, double* z_dot, double* quadrature_rates,
+                          const Baumgarte* stabilisation = nullptr);
+  /// The same for a State: fills a and lambda.
+  bool calc_accelerations(State& state);
+
+  /// Moves q to the nearest position on the constraints. False: no convergence (see worst_row()).
+  bool project_positions(double t, double* q, Correction how = Correction::coarse);
+  /// Moves v to the nearest velocity allowed at q, which must be projected already.
+  bool project_velocities(double t, const double* q, double* v);
+  /// Both.
+  bool project(double t, double* q, double* v, Correction how = Correction::coarse);
+  /// Both, and accelerations and multipliers. At a singular position accelerations are a solution
+  /// and multipliers those of least norm, neither the limit from beside it.
+  bool project(State& state);
+
+  /// Assembly at the start: like project(), also from far away, and explains a failure by naming
+  /// the worst equation or those in conflict. Equations found redundant are left out from now on,
+  /// see redundancy(). On success the state is consistent.
+  Outcome assemble(State& state);
+  const Redundancy& redundancy() const { return redundancy_; }
+  /// Leaves these rows out of the matrices; those of formulations must be built anew.
+  void leave_out(const std::vector<int>& rows);
+  /// Empty, or which equation that was left out as redundant has come to be violated by more than
+  /// `bound` [length scales or rad] at q: it was in conflict with the others after all.
+  std::string contradiction(double t, const double* q, double bound);
+
+  /// How far the constraints at (t, q) are from being dependent: an estimate, by one step of
+  /// inverse iteration from the last call, of the smallest eigenvalue of G M^-1 G^T scaled to a
+  /// diagonal of ones; falls like the square of the distance to a singular position. 0: singular.
+  double independence(double t, const double* q, int iterations = 1);
+  /// The row with the largest part in what is nearly dependent, after independence().
+  int weakest_row() const { return weakest_row_; }
+
+  /// [kg] 1/(d A d^T), d [columns] in the local coordinates of a force element, with the
+  /// factorisation of the last calc_accelerations.
+  double effective_mass(const ForceSlot& slot, const double* direction);
+
+  /// The reaction of constraint i at the motion evaluated last, for given multipliers.
+  Reaction reaction(std::size_t constraint, const double* lambda) const {
+    return system_.reaction(constraint, lambda);
+  }
+
+  /// Largest violation of the equations measured in lengths [m] and angles [rad] together,
+  /// unscaled.
+  double position_violation(const State& state);
+  double velocity_violation(const State& state);
+
+  int worst_row() const { return worst_row_; }
+  /// Of the last projection [m or rad], or of position_violation() [length scales or rad].
+  double worst_residual() const { return worst_residual_; }
+  FactorCounters counters() const;
+  long evaluations() const { return evaluations_; }
+  const SparseMatrix& matrix() const { return matrix_; }
+
+ private:
+  struct Stamp {
+    int entry;  // in the blocks of G
+    int lower;  // slot of G
+    int upper;  // slot of G^T
+  };
+
+  void build_matrix();
+  void stamp(std::size_t constraint);
+  bool factorise_at(double t, const double* q);
+  bool improve_position(double* q);
+  bool improve_velocity(double* v);
+  bool same_as_factorised(double t, const double* q) const;
+  Outcome assemble_from_afar(State& state);
+  Outcome settle_redundancy(State& state);
+  Outcome finish_assembly(State& state);
+  Outcome check_left_out(const State& state, const RankAnalysis& analysis);
+  bool project_singular(State& state);
+  Outcome explain_positions(const class LeastChange& failed) const;
+  double position_tolerance(const double* q) const;
+
+  System system_;
+  SparseMatrix matrix_;
+  std::vector<Stamp> stamps_;
+  std::vector<std::size_t> stamp_start_;  // [constraints + 1]
+  std::optional<SparseLU> lu_;
+  FactorCounters retired_;  // of factorisations of other choices of rows
+  std::vector<double> b_;   // right-hand side and solution, one entry more for the ground
+  std::vector<double> phi_;
+  std::vector<double> residual_;
+  std::vector<double> zero_;  // velocities, where none matter
+  std::vector<double> q_factorised_;
+  double t_factorised_ = 0.0;
+  bool factorised_ = false;
+  Redundancy redundancy_;
+  std::vector<double> row_size_, weakest_;  // for independence()
+  int weakest_row_ = 0;
+  int worst_row_ = 0;
+  double corrected_ = 0.0;  // violation that the last correction of a position was for, or infinity
+  double worst_residual_ = 0.0;
+  long evaluations_ = 0;
+};
+
+}  // namespace yoke

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/least_change.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace yoke {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int max_iterations = 300;
+constexpr double smallest_damping = 1e-13;
+constexpr double largest_damping = 1e10;
+constexpr double largest_turn = 0.5;  // [rad] in one iteration
+// What rounding may leave, in length scales or rad, where Newton's iteration cannot square it.
+constexpr double close_enough = 1e-12;
+}  // namespace
+
+LeastChange::LeastChange(System& system, std::vector<double> weights, std::vector<char> held,
+                         std::vector<char> ignored)
+    : system_(system),
+      weights_(std::move(weights)),
+      held_(std::move(held)),
+      ignored_(std::move(ignored)) {
+  const int n = system.dofs(), rows = system.rows();
+  held_.resize(at(n), 0);
+  ignored_.resize(at(rows), 0);
+  PatternBuilder pattern(n + rows);
+  for (int i = 0; i < n + rows; ++i) diagonal_.push_back(pattern.add(i, i));
+  for (const ConstraintSlot& c : system.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      const int row = c.row + i;
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system.dof()[at(c.dofs + j)];
+        if (dof < 0 || held_[at(dof)] != 0 || ignored_[at(row)] != 0) continue;
+        const int lower = pattern.add(n + row, dof);
+        stamps_.push_back(
+            {c.block + i * c.columns + j, row, dof, lower, pattern.add(dof, n + row)});
+      }
+    }
+  }
+  std::vector<int> slot;
+  matrix_ = pattern.compile(slot);
+  for (int& d : diagonal_) d = slot[at(d)];
+  for (Stamp& s : stamps_) {
+    s.lower = slot[at(s.lower)];
+    s.upper = slot[at(s.upper)];
+  }
+  row_scale_.assign(at(rows), 1.0);
+  residual_.assign(at(rows), 0.0);
+  x_.assign(at(n + rows) + 1, 0.0);
+  zero_.assign(at(n), 0.0);
+  lu_ = std::make_unique<SparseLU>(matrix_);
+}
+
+double LeastChange::size(int row) const {
+  return system_.measure(row) == Measure::length ? system_.scales().length : 1.0;
+}
+
+void LeastChange::evaluate(double t, const double* q) {
+  system_.set_motion(t, q, zero_.data());
+  system_.calc_position_level(residual_.data());
+  norm_ = 0.0;
+  for (int i = 0; i < system_.rows(); ++i) {
+    if (ignored_[at(i)] != 0) residual_[at(i)] = 0.0;
+    const double r = std::abs(residual_[at(i)]) / size(i);
+    if (r <= norm_) continue;
+    norm_ = r;  // NaN too
+    worst_row_ = i;
+    if (std::isnan(r)) break;
+  }
+}
+
+double LeastChange::merit() const {
+  double sum = 0.0;
+  for (int i = 0; i < system_.rows(); ++i) sum += std::pow(residual_[at(i)] / size(i), 2);
+  return sum;
+}
+
+bool LeastChange::factorise(double mu) {
+  const int n = system_.dofs();
+  const double* G = system_.G();
+  std::ranges::fill(row_scale_, 0.0);
+  for (const Stamp& s : stamps_)
+    row_scale_[at(s.row)] += G[s.entry] * G[s.entry] / weights_[at(s.dof)];
+  for (double& r : row_scale_) r = r > 0.0 && std::isfinite(r) ? 1.0 / std::sqrt(r) : 1.0;
+  std::ranges::fill(matrix_.value, 0.0);
+  for (int i = 0; i < n; ++i) matrix_.value[at(diagonal_[at(i)])] = 1.0;
+  for (int i = 0; i < system_.rows(); ++i)
+    matrix_.value[at(diagonal_[at(n + i)])] = ignored_[at(i)] != 0 ? 1.0 : -mu;
+  for (const Stamp& s : stamps_) {
+    const double value = G[s.entry] * row_scale_[at(s.row)] / std::sqrt(weights_[at(s.dof)]);
+    matrix_.value[at(s.lower)] += value;
+    matrix_.value[at(s.upper)] += value;
+  }
+  return lu_->factorise(matrix_);
+}
+
+void LeastChange::step(const double* residual) {
+  const int n = system_.dofs();
+  std::ranges::fill(x_, 0.0);
+  for (int i = 0; i < system_.rows(); ++i)
+    if (ignored_[at(i)] == 0) x_[at(n + i)] = -residual[i] * row_scale_[at(i)];
+  lu_->solve(x_.data());
+  for (int i = 0; i < n; ++i) x_[at(i)] /= std::sqrt(weights_[at(i)]);
+}
+
+bool LeastChange::solve_positions(double t, double* q) {
+  const auto n = at(system_.dofs());
+  double size = 1.0;
+  for (std::size_t i = 0; i < n; ++i)
+    size = std::max(size, std::abs(q[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
+  const double tolerance = 16.0 * eps * size, good = std::max(tolerance, close_enough * size);
+  std::vector<double> trial(n);
+  double mu = 1e-3;
+  evaluate(t, q);
+  double before = merit();
+  for (int iteration = 0; iteration < max_iterations && norm_ > tolerance; ++iteration) {
+    if (!std::isfinite(before)) return false;
+    bool better = false;
+    // The blocks of G are those of q here: a rejected trial is evaluated anew.
+    while (!better && mu <= largest_damping) {
+      if (factorise(mu)) {
+        step(residual_.data());
+        double turn = 0.0;
+        for (std::size_t i = 2; i < n; i += 3) turn = std::max(turn, std::abs(x_[i]));
+        const double share = turn > largest_turn ? largest_turn / turn : 1.0;
+        for (std::size_t i = 0; i < n; ++i) trial[i] = q[i] + share * x_[i];
+        evaluate(t, trial.data());
+        const double after = merit();
+        better = after < before * (1.0 - 1e-6);
+        if (better) {
+          std::ranges::copy(trial, q);
+          before = after;
+          break;
+        }
+        evaluate(t, q);
+        if (norm_ < good) return true;
+      }
+      mu = std::max(10.0 * mu, 1e-8);
+    }
+    if (!better) break;
+    mu = std::max(0.1 * mu, smallest_damping);
+  }
+  return norm_ <= good;
+}
+
+bool LeastChange::solve_velocities(double t, const double* q, double* v) {
+  evaluate(t, q);
+  if (!factorise(smallest_damping * 10.0)) return false;
+  double worst = 0.0;
+  for (int round = 0; round < 4; ++round) {
+    system_.set_motion(t, q, v);
+    system_.calc_velocity_residual(residual_.data());
+    step(residual_.data());
+    for (int i = 0; i < system_.dofs(); ++i) v[i] += x_[at(i)];
+  }
+  system_.set_motion(t, q, v);
+  system_.calc_velocity_residual(residual_.data());
+  double rate = 0.0;  // what a residual is to be compared with
+  for (int i = 0; i < system_.dofs(); ++i)
+    rate = std::max(rate, std::abs(v[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
+  for (int i = 0; i < system_.rows(); ++i) {
+    if (ignored_[at(i)] != 0) residual_[at(i)] = 0.0;
+    const double r = std::abs(residual_[at(i)]) / size(i);
+    if (r <= worst) continue;
+    worst = r;
+    worst_row_ = i;
+  }
+  return worst <= 1e-10 * rate + 1e-300 || worst <= 1e-13;
+}
+
+void LeastChange::make_admissible(double* d) {
+  const auto n = at(system_.dofs());
+  if (!factorise(smallest_damping * 10.0)) return;
+  std::vector<double> change(residual_.size());
+  for (int round = 0; round < 3; ++round) {
+    std::ranges::fill(change, 0.0);
+    for (const Stamp& s : stamps_) change[at(s.row)] += system_.G()[s.entry] * d[at(s.dof)];
+    step(change.data());
+    for (std::size_t i = 0; i < n; ++i) d[i] += x_[i];
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (held_[i] != 0) d[i] = 0.0;
+}
+
+}  // namespace yoke

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <Eigen/SparseQR>
+
+#include <yoke/core/equations/rank.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr double dependent_below = 1e-8;
+constexpr double negligible = 1e-9;  // in a null vector whose largest entry is 1
+
+// G^T with lengths in units of the length scale, every equation normalised to one; `norm` [rows].
+Matrix scaled_transpose(const System& system, const std::vector<char>& ignored,
+                        std::vector<double>& norm) {
+  const double length = system.scales().length;
+  norm.assign(at(system.rows()), 0.0);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const ConstraintSlot& c : system.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      if (!ignored.empty() && ignored[at(c.row + i)] != 0) continue;
+      const std::size_t first = entries.size();
+      double square = 0.0;
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system.dof()[at(c.dofs + j)];
+        const double g = system.G()[c.block + i * c.columns + j];
+        if (dof < 0 || g == 0.0) continue;
+        const double value = dof % 3 == 2 ? g : g * length;
+        entries.emplace_back(dof, c.row + i, value);
+        square += value * value;
+      }
+      if (square == 0.0) continue;  // an equation no coordinate can satisfy: dependent
+      norm[at(c.row + i)] = std::sqrt(square);
+      for (std::size_t k = first; k < entries.size(); ++k)
+        entries[k] = {entries[k].row(), entries[k].col(), entries[k].value() / std::sqrt(square)};
+    }
+  }
+  Matrix transpose(system.dofs(), system.rows());
+  transpose.setFromTriplets(entries.begin(), entries.end());
+  transpose.makeCompressed();
+  return transpose;
+}
+
+class Qr {
+ public:
+  explicit Qr(const Matrix& a) : a_(a) { qr_.analyzePattern(a_); }
+  int factorise(double threshold) {
+    qr_.setPivotThreshold(threshold);
+    qr_.factorize(a_);
+    return static_cast<int>(qr_.rank());
+  }
+  int column(Eigen::Index i) const { return qr_.colsPermutation().indices()(i); }
+
+  // The i-th vector w with A w = 0: one of the dependent columns and what it is made of. Not from R
+  // itself, which lacks what was below the threshold when the column was put aside.
+  Eigen::VectorXd null_vector(Eigen::Index i) const {
+    const Eigen::Index rank = qr_.rank();
+    const Eigen::VectorXd dependent = a_.col(column(rank + i));
+    Eigen::VectorXd x = qr_.matrixQ().transpose() * dependent;
+    x.conservativeResize(rank);
+    const Matrix r = qr_.matrixR().topLeftCorner(rank, rank);
+    r.triangularView<Eigen::Upper>().solveInPlace(x);
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(a_.cols());
+    for (Eigen::Index k = 0; k < rank; ++k) w[column(k)] = -x[k];
+    w[column(rank + i)] = 1.0;
+    return w;
+  }
+
+ private:
+  const Matrix& a_;
+  // Natural ordering: a column that depends on earlier ones is the one to be left out.
+  Eigen::SparseQR<Matrix, Eigen::NaturalOrdering<int>> qr_;
+};
+
+}  // namespace
+
+RankAnalysis analyse_rank(const System& system, const std::vector<char>& ignored) {
+  std::vector<double> norm;
+  const Matrix transpose = scaled_transpose(system, ignored, norm);
+  RankAnalysis analysis;
+  if (transpose.cols() == 0) return analysis;
+  Qr qr(transpose);
+  analysis.rank = qr.factorise(dependent_below);
+  if (analysis.rank == transpose.cols()) return analysis;
+  double threshold = 0.1;
+  while (qr.factorise(threshold) != analysis.rank && threshold > dependent_below)
+    threshold = std::max(0.1 * threshold, dependent_below);
+  std::vector<Eigen::Triplet<double>> entries;
+  int column = 0;
+  for (Eigen::Index i = analysis.rank; i < transpose.cols(); ++i) {
+    const int row = qr.column(i);
+    if (!ignored.empty() && ignored[at(row)] != 0) continue;
+    analysis.dependent.push_back(row);
+    Eigen::VectorXd w = qr.null_vector(i - analysis.rank);
+    w /= w.cwiseAbs().maxCoeff();
+    for (int k = 0; k < system.rows(); ++k)
+      if (std::abs(w[k]) > negligible)
+        entries.emplace_back(k, column, norm[at(k)] > 0.0 ? w[k] / norm[at(k)] : w[k]);
+    ++column;
+  }
+  analysis.null_space.resize(system.rows(), column);
+  analysis.null_space.setFromTriplets(entries.begin(), entries.end());
+  std::ranges::sort(analysis.dependent, std::greater<>());
+  return analysis;
+}
+
+}  // namespace yoke

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <suitesparse/klu.h>
+
+#include <yoke/core/equations/sparse.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace yoke {
+
+int PatternBuilder::add(int row, int column) {
+  const bool inside = row >= 0 && row < size_ && column >= 0 && column < size_;
+  requests_.emplace_back(inside ? column : size_, inside ? row : 0);
+  return static_cast<int>(requests_.size()) - 1;
+}
+
+namespace {
+
+/// `order` sorted by key(i), a number from 0 to `largest`; equal ones stay as they are. In linear
+/// time.
+template <class Key>
+std::vector<int> sorted(const std::vector<int>& order, int largest, Key&& key) {
+  std::vector<int> next(static_cast<std::size_t>(largest) + 2, 0), result(order.size());
+  for (const int i : order) ++next[static_cast<std::size_t>(key(i)) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const int i : order)
+    result[static_cast<std::size_t>(next[static_cast<std::size_t>(key(i))]++)] = i;
+  return result;
+}
+
+}  // namespace
+
+SparseMatrix PatternBuilder::compile(std::vector<int>& slot_of_request) const {
+  const auto request = [&](int i) { return requests_[static_cast<std::size_t>(i)]; };
+  std::vector<int> order(requests_.size());
+  std::iota(order.begin(), order.end(), 0);
+  order = sorted(order, size_, [&](int i) { return request(i).second; });
+  order = sorted(order, size_, [&](int i) { return request(i).first; });
+
+  SparseMatrix matrix;
+  matrix.size = size_;
+  matrix.column_start.assign(static_cast<std::size_t>(size_) + 1, 0);
+  slot_of_request.resize(requests_.size());
+  std::pair<int, int> last{-1, -1};
+  std::vector<int> discarded;
+  for (const int i : order) {
+    const auto entry = request(i);
+    if (entry.first == size_) {
+      discarded.push_back(i);
+      continue;
+    }
+    if (entry != last) {
+      matrix.row.push_back(entry.second);
+      ++matrix.column_start[static_cast<std::size_t>(entry.first) + 1];
+      last = entry;
+    }
+    slot_of_request[static_cast<std::size_t>(i)] = matrix.nonzeros() - 1;
+  }
+  for (const int i : discarded) slot_of_request[static_cast<std::size_t>(i)] = matrix.nonzeros();
+  std::partial_sum(matrix.column_start.begin(), matrix.column_start.end(),
+                   matrix.column_start.begin());
+  matrix.value.assign(matrix.row.size() + 1, 0.0);
+  return matrix;
+}
+
+struct SparseLU::Klu {
+  klu_common common{};
+  klu_symbolic* symbolic = nullptr;
+  klu_numeric* numeric = nullptr;
+};
+
+namespace {
+// Below this the factors carry no correct digit: treat as singular.
+constexpr double singular = 1e-15;
+// KLU's interface is not const-correct; it does not write to the pattern or the values.
+int* mutable_data(const std::vector<int>& v) { return const_cast<int*>(v.data()); }
+double* mutable_data(const std::vector<double>& v) { return const_cast<double*>(v.data()); }
+}  // namespace
+
+SparseLU::SparseLU(const SparseMatrix& matrix) : klu_(std::make_unique<Klu>()) {
+  klu_defaults(&klu_->common);
+  klu_->symbolic = klu_analyze(matrix.size, mutable_data(matrix.column_start),
+                               mutable_data(matrix.row), &klu_->common);
+}
+
+SparseLU::~SparseLU() {
+  klu_free_numeric(&klu_->numeric, &klu_->common);
+  klu_free_symbolic(&klu_->symbolic, &klu_->common);
+}
+
+void SparseLU::reset() { klu_free_numeric(&klu_->numeric, &klu_->common); }
+
+bool SparseLU::factorise(const SparseMatrix& matrix) {
+  if (klu_->symbolic == nullptr) return matrix.size == 0;
+  if (klu_->numeric == nullptr) return fresh(matrix);
+  ++counters_.refactorisations;
+  const int done =
+      klu_refactor(mutable_data(matrix.column_start), mutable_data(matrix.row),
+                   mutable_data(matrix.value), klu_->symbolic, klu_->numeric, &klu_->common);
+  if (done == 1 && klu_->common.status == KLU_OK) {
+    klu_rcond(klu_->symbolic, klu_->numeric, &klu_->common);
+    rcond_ = klu_->common.rcond;
+    if (rcond_ >= 1e-3 * rcond_fresh_) return true;
+  }
+  return fresh(matrix);
+}
+
+bool SparseLU::fresh(const SparseMatrix& matrix) {
+  // KLU does not look for NaN while it pivots.
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (!std::all_of(matrix.value.begin(), matrix.value.end() - 1, finite)) return false;
+  ++counters_.fresh;
+  klu_free_numeric(&klu_->numeric, &klu_->common);
+  klu_->numeric = klu_factor(mutable_data(matrix.column_start), mutable_data(matrix.row),
+                             mutable_data(matrix.value), klu_->symbolic, &klu_->common);
+  if (klu_->numeric == nullptr || klu_->common.status != KLU_OK) {
+    reset();
+    return false;
+  }
+  klu_rcond(klu_->symbolic, klu_->numeric, &klu_->common);
+  rcond_ = rcond_fresh_ = klu_->common.rcond;
+  if (rcond_ > singular) return true;
+  reset();
+  return false;
+}
+
+void SparseLU::solve(double* b) {
+  if (klu_->symbolic == nullptr) return;
+  klu_solve(klu_->symbolic, klu_->numeric, klu_->symbolic->n, 1, b, &klu_->common);
+}
+
+}  // namespace yoke

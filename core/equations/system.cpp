@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/system.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace yoke {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+}  // namespace
+
+System::System(const Model& model) : model_(model) {
+  lay_out_bodies();
+  lay_out_constraints();
+  lay_out_forces();
+  scales_.length = natural_length();
+}
+
+void System::lay_out_bodies() {
+  dofs_ = 3 * model_.body_count();
+  bodies_.resize(model_.bodies().size());
+  mass_.reserve(at(dofs_));
+  for (std::size_t i = 1; i < model_.bodies().size(); ++i) {
+    const Body& b = model_.bodies()[i];
+    mass_.insert(mass_.end(), {b.mass, b.mass, b.inertia});
+  }
+  motion_.bodies = bodies_;
+  motion_.inertia = model_.bodies();
+}
+
+int System::add_dofs(const std::vector<BodyId>& bodies) {
+  const int offset = static_cast<int>(dof_.size());
+  for (const BodyId id : bodies)
+    for (int i = 0; i < 3; ++i) dof_.push_back(id == ground ? -1 : 3 * (id.index - 1) + i);
+  return offset;
+}
+
+void System::lay_out_constraints() {
+  int block = 0;
+  for (const auto& c : model_.constraints()) {
+    ConstraintSlot slot{.element = c.get(),
+                        .row = rows_,
+                        .rows = c->rows(),
+                        .columns = c->columns(),
+                        .dofs = add_dofs(c->bodies()),
+                        .block = block};
+    if (c->rheonomic()) slot.quadrature = quadratures_++;
+    for (const Equation& e : c->equations()) measure_.push_back(e.measure);
+    rows_ += slot.rows;
+    block += slot.rows * slot.columns;
+    constraints_.push_back(slot);
+  }
+  G_.assign(at(block), 0.0);
+  phi_t_.assign(at(rows_), 0.0);
+  dropped_.assign(at(rows_), 0);
+}
+
+void System::drop_rows(const std::vector<int>& rows) {
+  std::ranges::fill(dropped_, 0);
+  for (const int row : rows) dropped_[at(row)] = 1;
+  dropped_rows_ = rows;
+}
+
+void System::lay_out_forces() {
+  int block = 0, parameters = 0, contacts = 0;
+  for (const auto& f : model_.forces()) {
+    const std::vector<BodyId> bodies = f->bodies(model_);
+    ForceSlot slot{.element = f.get(),
+                   .columns = 3 * static_cast<int>(bodies.size()),
+                   .dofs = add_dofs(bodies),
+                   .block = block,
+                   .states = static_cast<int>(f->states().size()),
+                   .z = states_,
+                   .parameters = parameters,
+                   .contacts = contacts,
+                   .events = events_};
+    if (f->dissipates()) slot.dissipated = quadratures_++;
+    if (f->supplies()) slot.supplied = quadratures_++;
+    block += slot.columns;
+    states_ += slot.states;
+    parameters += static_cast<int>(f->parameters().size());
+    contacts += f->contacts();
+    events_ += f->events();
+    forces_.push_back(slot);
+  }
+  Q_.assign(at(block), 0.0);
+}
+
+double System::natural_length() const {
+  const auto& bodies = model_.bodies();
+  Vec2 centre = Vec2::Zero();
+  for (std::size_t i = 1; i < bodies.size(); ++i) centre += bodies[i].pose.position;
+  const double count = std::max(1.0, static_cast<double>(bodies.size() - 1));
+  centre /= count;
+  double spread = 0.0, gyration = 0.0;
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    spread += (bodies[i].pose.position - centre).squaredNorm() / count;
+    gyration = std::max(gyration, std::sqrt(bodies[i].inertia / bodies[i].mass));
+  }
+  return std::max({std::sqrt(spread), gyration, 1e-12});
+}
+
+std::string System::equation_name(int row) const {
+  for (const ConstraintSlot& c : constraints_)
+    if (row < c.row + c.rows)
+      return c.element->name() + ": " + c.element->equations()[at(row - c.row)].label;
+  return "?";
+}
+
+std::vector<std::string> System::quadrature_names() const {
+  std::vector<std::string> names(at(quadratures_));
+  for (const ConstraintSlot& c : constraints_)
+    if (c.quadrature >= 0) names[at(c.quadrature)] = c.element->name() + ".work";
+  for (const ForceSlot& f : forces_) {
+    if (f.dissipated >= 0) names[at(f.dissipated)] = f.element->name() + ".dissipated";
+    if (f.supplied >= 0) names[at(f.supplied)] = f.element->name() + ".work";
+  }
+  return names;
+}
+
+void System::bind(const State& state) {
+  z_ = state.z.data();
+  parameters_ = state.parameters.data();
+  contacts_ = state.contacts.data();
+}
+
+void System::set_motion(double t, const double* q, const double* v) {
+  motion_.t = t;
+  for (std::size_t i = 1; i < bodies_.size(); ++i, q += 3, v += 3) {
+    BodyMotion& b = bodies_[i];
+    b.x = q[0];
+    b.y = q[1];
+    // Bodies that only slide keep their angle: two sines saved.
+    if (b.angle != q[2]) {
+      b.angle = q[2];
+      b.c = std::cos(q[2]);
+      b.s = std::sin(q[2]);
+    }
+    b.vx = v[0];
+    b.vy = v[1];
+    b.omega = v[2];
+  }
+}
+
+ForceInput System::force_input(const ForceSlot& slot) const {
+  return {.motion = motion_,
+          .z = z_ + slot.z,
+          .parameters = parameters_ + slot.parameters,
+          .contact = contacts_ + slot.contacts};
+}
+
+void System::calc_position_level(double* phi) {
+  for (const ConstraintSlot& c : constraints_)
+    c.element->evaluate(motion_, {.phi = phi + c.row, .G = G_.data() + c.block});
+}
+
+double System::norm(const double* residual, int* worst) const {
+  double largest = 0.0;
+  for (int i = 0; i < rows_; ++i) {
+    if (is_dropped(i)) continue;
+    const double size = measure(i) == Measure::length ? scales_.length : 1.0;
+    const double r = std::abs(residual[i]) / size;
+    if (!(r <= largest)) {  // catches NaN
+      largest = r;
+      if (worst != nullptr) *worst = i;
+      if (std::isnan(r)) break;
+    }
+  }
+  return largest;
+}
+
+void System::calc_velocity_residual(double* residual) {
+  for (const ConstraintSlot& c : constraints_) {
+    double* out = residual + c.row;
+    if (c.quadrature >= 0) {
+      c.element->evaluate(motion_, {.phi_t = out});
+    } else {
+      std::fill_n(out, c.rows, 0.0);
+    }
+    for (int j = 0; j < c.columns; j += 3) {  // body by body
+      const int dof = dof_[at(c.dofs + j)];
+      if (dof < 0) continue;
+      const BodyMotion& b = bodies_[at(dof / 3 + 1)];
+      const double* G = G_.data() + c.block + j;
+      for (int i = 0; i < c.rows; ++i, G += c.columns)
+        out[i] = out[i] + G[0] * b.vx + G[1] * b.vy + G[2] * b.omega;
+    }
+  }
+}
+
+void System::add_jacobian_times(const double* x, double* out) const {
+  for (const ConstraintSlot& c : constraints_) {
+    for (int j = 0; j < c.columns; j += 3) {
+      const int dof = dof_[at(c.dofs + j)];
+      if (dof < 0) continue;
+      const double* G = G_.data() + c.block + j;
+      const double x0 = x[dof], x1 = x[dof + 1], x2 = x[dof + 2];
+      for (int i = c.row; i < c.row + c.rows; ++i, G += c.columns)
+        out[i] = out[i] + G[0] * x0 + G[1] * x1 + G[2] * x2;
+    }
+  }
+}
+
+void System::subtract_constraint_forces(const double* lambda, double* force) const {
+  for (const ConstraintSlot& c : constraints_) {
+    for (int j = 0; j < c.columns; j += 3) {
+      const double* G = G_.data() + c.block + j;
+      double x = 0.0, y = 0.0, moment = 0.0;
+      for (int i = c.row; i < c.row + c.rows; ++i, G += c.columns) {
+        x += G[0] * lambda[i];
+        y += G[1] * lambda[i];
+        moment += G[2] * lambda[i];
+      }
+      const int dof = dof_[at(c.dofs + j)];
+      if (dof < 0) {
+        force[dofs_] -= x + y + moment;
+      } else {
+        force[dof] -= x;
+        force[dof + 1] -= y;
+        force[dof + 2] -= moment;
+      }
+    }
+  }
+}
+
+Reaction System::reaction(std::size_t constraint, const double* lambda) const {
+  const ConstraintSlot& c = constraints_[constraint];
+  const double* G = G_.data() + c.block;
+  const std::size_t body = c.element->reaction_body();
+  double f[3] = {0.0, 0.0, 0.0};
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < c.rows; ++i)
+      f[j] -= G[i * c.columns + 3 * static_cast<int>(body) + j] * lambda[c.row + i];
+  const Vec2 force(f[0], f[1]);
+  const Vec2 centre = motion_[c.element->bodies()[body]].position();
+  const Vec2 arm = c.element->reaction_point(motion_) - centre;
+  return {.force = force, .moment = f[2] - cross(arm, force)};
+}
+
+void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {
+  for (const ForceSlot& f : forces_) {
+    double* local = Q_.data() + f.block;
+    std::memset(local, 0, sizeof(double) * at(f.columns));
+    Energy energy;
+    const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
+    if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
+    f.element->evaluate(force_input(f),
+                        {.Q = local,
+                         .z_dot = f.states > 0 && z_dot != nullptr ? z_dot + f.z : nullptr,
+                         .energy = wants_energy ? &energy : nullptr});
+    for (int j = 0; j < f.columns; ++j) {
+      const int dof = dof_[at(f.dofs + j)];
+      Q[dof < 0 ? dofs_ : dof] += local[j];
+    }
+    if (!wants_energy) continue;
+    if (f.dissipated >= 0) quadrature_rates[f.dissipated] = energy.dissipated_power;
+    if (f.supplied >= 0) quadrature_rates[f.supplied] = energy.supplied_power;
+  }
+}
+
+void System::add_driver_power(const double* lambda, double* quadrature_rates) {
+  for (const ConstraintSlot& c : constraints_) {
+    if (c.quadrature < 0) continue;
+    // Force on the mechanism -G^T lambda, so its power is -lambda^T G v = lambda^T Phi_t.
+    double* phi_t = phi_t_.data() + c.row;
+    c.element->evaluate(motion_, {.phi_t = phi_t});
+    double power = 0.0;
+    for (int i = 0; i < c.rows; ++i) power += lambda[c.row + i] * phi_t[i];
+    quadrature_rates[c.quadrature] = power;
+  }
+}
+
+void System::calc_events(double* g) const {
+  for (const ForceSlot& f : forces_)
+    if (f.element->events() > 0) f.element->calc_events(force_input(f), g + f.events);
+}
+
+void System::blame_event(int slot) {
+  for (const ForceSlot& f : forces_)
+    if (slot >= f.events && slot < f.events + f.element->events()) not_finite_ = f.element->name();
+}
+
+void System::blame_not_finite() {
+  const auto finite = [](const double* values, int count) {
+    return std::all_of(values, values + count, [](double x) { return std::isfinite(x); });
+  };
+  for (const ForceSlot& f : forces_) {
+    double* local = Q_.data() + f.block;
+    std::fill_n(local, f.columns, 0.0);
+    f.element->evaluate(force_input(f), {.Q = local});
+    if (!finite(local, f.columns)) not_finite_ = f.element->name();
+  }
+  for (const ConstraintSlot& c : constraints_) {
+    c.element->evaluate(motion_, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
+    if (!finite(G_.data() + c.block, c.rows * c.columns) || !finite(phi_t_.data() + c.row, c.rows))
+      not_finite_ = c.element->name();
+  }
+}
+
+EnergyTerms System::calc_energy() const {
+  EnergyTerms total;
+  for (std::size_t i = 1; i < bodies_.size(); ++i) {
+    const BodyMotion& b = bodies_[i];
+    const Body& body = model_.bodies()[i];
+    total.kinetic +=
+        0.5 * body.mass * (b.vx * b.vx + b.vy * b.vy) + 0.5 * body.inertia * b.omega * b.omega;
+  }
+  for (const ForceSlot& f : forces_) {
+    Energy energy;
+    f.element->evaluate(force_input(f), {.energy = &energy});
+    total.potential += energy.potential;
+    total.stored += energy.stored;
+  }
+  return total;
+}
+
+}  // namespace yoke

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/analyses/equilibrium.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include <yoke/integrators/analyses/details/linearisation.hpp>
+#include <yoke/integrators/analyses/details/rest_equations.hpp>
+#include <yoke/integrators/run/recorder.hpp>
+#include <yoke/integrators/run/start/start_checks.hpp>
+#include <yoke/integrators/sundials/newton.hpp>
+
+namespace yoke {
+
+namespace {
+
+constexpr double newton_tolerance = 1e-13;  // of F, scaled, as KINSOL sees it
+constexpr double good_residual = 1e-7;      // of F, scaled: what rounding of a stiff contact leaves
+constexpr double good_step = 1e-10;         // of the last Newton step in length scales or rad
+constexpr double largest_step = 1.0;        // scaled, on average of all unknowns, in one iteration
+constexpr double first_load = 0.1, smallest_load = 1e-4;
+constexpr double largest_move = 0.2;  // length scales or rad in one step of a relaxation
+constexpr int relaxation_steps = 3000;
+constexpr double lost = 100.0;           // length scales from the start: nothing holds it
+constexpr double neutral_below = 1e-12;  // of the largest stiffness
+
+using Vector = Eigen::VectorXd;
+
+std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+class Solver {
+ public:
+  Solver(const Model& model, const State& start, const EquilibriumOptions& options)
+      : options_(options), statics_(model, start, options) {}
+
+  Equilibrium solve() {
+    Vector x = statics_.unknowns();
+    const Vector start = x;
+    bool found = newton(x);
+    if (!found && statics_.has_loads()) {
+      e_.route = EquilibriumRoute::load_steps;
+      x = start;
+      found = bring_on_loads(x);
+    }
+    if (!found) {
+      e_.route = EquilibriumRoute::relaxation;
+      statics_.set_load(1.0);
+      found = relax(x);
+    }
+    report(x, found);
+    return std::move(e_);
+  }
+
+ private:
+  /// KINSOL, then Newton's iteration to rounding. x is the solution, or as it was.
+  bool newton(Vector& x) {
+    Vector y = x, F;
+    const NonlinearOutcome outcome =
+        solve_nonlinear(statics_.problem(), y, newton_tolerance,
+                        largest_step * std::sqrt(static_cast<double>(y.size())));
+    e_.iterations += outcome.iterations;
+    if (!statics_.residual(y, F)) return false;
+    double norm = F.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 6; ++i) {
+      if (!(norm < 1e-2) || !statics_.factorise(y)) return false;
+      Vector step = -F;
+      if (!statics_.solve(step)) return false;
+      const Vector next = y + step;
+      Vector F_next;
+      const bool better = statics_.residual(next, F_next) && F_next.cwiseAbs().maxCoeff() < norm;
+      const double moved = statics_.move(step);
+      if (better) {
+        y = next;
+        F = F_next;
+        norm = F.cwiseAbs().maxCoeff();
+      }
+      if (norm < good_residual && moved < good_step) {
+        x = y;
+        return true;
+      }
+      if (!better) return false;
+    }
+    return false;
+  }
+
+  bool bring_on_loads(Vector& x) {
+    double load = 0.0, step = first_load;
+    while (load < 1.0 && e_.load_steps < options_.load_steps) {
+      const double next = std::min(1.0, load + step);
+      statics_.set_load(next);
+      ++e_.load_steps;
+      if (newton(x)) {
+        load = next;
+        step = std::min(2.0 * step, 0.25);
+      } else if ((step *= 0.5) < smallest_load) {
+        break;
+      }
+    }
+    e_.load = load;
+    return load >= 1.0;
+  }
+
+  // M dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
+  // well.
+  bool relax(Vector& x) {
+    double inertia = 10.0;
+    Vector F, F_next;
+    if (!statics_.residual(x, F)) return false;
+    for (int i = 0; i < relaxation_steps; ++i) {
+      const double norm = F.cwiseAbs().maxCoeff();
+      if (norm < 1e-3 && newton(x)) return true;
+      if (!statics_.factorise(x, inertia)) return false;
+      Vector step = -F;
+      const bool solved = statics_.solve(step);
+      ++e_.iterations;
+      const Vector next = x + step;
+      if (!solved || statics_.move(step) > largest_move || !statics_.residual(next, F_next) ||
+          F_next.cwiseAbs().maxCoeff() > 2.0 * norm + 1e-9) {
+        inertia *= 4.0;
+        if (inertia > 1e30) return false;
+        continue;
+      }
+      x = next;
+      F = F_next;
+      inertia = std::max(0.5 * inertia, 1e-12);
+      if (statics_.move(x) > lost) {
+        statics_.set(x);
+        throw ModelError(fmt::format("equilibrium: nothing holds '{}': it moves away without end",
+                                     statics_.farthest_body()));
+      }
+    }
+    return newton(x);
+  }
+
+  void report(const Vector& x, bool found) {
+    Vector F;
+    e_.found = found;
+    if (statics_.residual(x, F)) statics_.blame(F, e_);
+    if (found) e_.load = 1.0;
+    e_.state = statics_.finish();
+    e_.touching = statics_.touching();
+    Result result;
+    Recorder recorder(statics_.dynamics(), result, 1);
+    recorder.start(e_.state);
+    statics_.dynamics().system().bind(e_.state);
+    recorder.record(e_.state);
+    e_.row = std::move(result.samples);
+    if (!found) {
+      e_.stable = false;
+      e_.reason = fmt::format(
+          "no equilibrium was found; at {:.3g} % of the loads '{}' is left with {:.3g} {}: is "
+          "there "
+          "one near the start? Try another start pose",
+          100.0 * e_.load, e_.worst, e_.residual, e_.unit);
+      return;
+    }
+    look_at_stiffness();
+    const char* route[] = {"directly", "by load steps", "by relaxation"};
+    e_.reason = fmt::format("found {}, {}", route[static_cast<int>(e_.route)],
+                            e_.neutral  ? "with a motion that nothing holds"
+                            : e_.stable ? "stable"
+                                        : "unstable");
+  }
+
+  void look_at_stiffness() {
+    const System& system = statics_.dynamics().system();
+    if (system.dofs() + system.states() > largest_linearisation) return;
+    const Linearisation l = linearise_at(statics_.dynamics(), e_.state);
+    if (l.degrees_of_freedom() == 0) return;
+    Eigen::MatrixXd K = l.K_reduced;
+    if (l.z_z.rows() > 0) {
+      const Eigen::FullPivLU<Eigen::MatrixXd> own(Eigen::MatrixXd(l.z_z));
+      K += l.basis.transpose() * (l.Q_z * own.solve(Eigen::MatrixXd(l.z_q * l.basis)));
+    }
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(K);
+    const Vector values = solver.eigenvalues().real();
+    Eigen::Index lowest = 0;
+    e_.lowest_stiffness = values.minCoeff(&lowest);
+    const double largest = std::max(solver.eigenvalues().cwiseAbs().maxCoeff(), 1e-12);
+    e_.stable = values[lowest] > -neutral_below * largest;
+    Eigen::Index softest = 0;
+    e_.neutral = values.cwiseAbs().minCoeff(&softest) <= neutral_below * largest;
+    if (!e_.neutral || options_.allow_neutral) return;
+    Eigen::Index which = 0;
+    (l.basis * solver.eigenvectors().col(softest).real()).cwiseAbs().maxCoeff(&which);
+    throw ModelError(fmt::format(
+        "equilibrium: nothing holds '{}': it can move ({}) without a force; hold it, or "
+        "accept it: allow_neutral, --allow-neutral of the program",
+        system.model().bodies()[at(which / 3 + 1)].name,
+        which % 3 == 2   ? "turn"
+        : which % 3 == 0 ? "along x"
+                         : "along y"));
+  }
+
+  const EquilibriumOptions& options_;
+  Statics statics_;
+  Equilibrium e_;
+};
+
+}  // namespace
+
+Equilibrium equilibrium(const Model& model, const State& start, const EquilibriumOptions& options) {
+  check_model(model);
+  check_state(model, start);
+  require_finite("equilibrium", "t", options.t);
+  if (options.load_steps < 1)
+    throw ModelError(
+        fmt::format("equilibrium: load_steps = {} must be at least 1", options.load_steps));
+  return Solver(model, start, options).solve();
+}
+
+Equilibrium equilibrium(const Model& model, const EquilibriumOptions& options) {
+  return equilibrium(model, model.start_state(), options);
+}
+
+}  // namespace yoke

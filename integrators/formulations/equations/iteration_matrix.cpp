@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/formulations/equations/iteration_matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+namespace {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool is_diagonal(Block b) { return b <= Block::dropped; }
+bool is_of_constraint(Block b) { return b >= Block::G && b <= Block::K_mu; }
+bool is_of_force(Block b) { return b >= Block::Q_q; }
+
+// An element without derivatives is not asked for any.
+bool has_derivatives(const ForceSlot& f) {
+  const Dependence depends = f.element->dependence();
+  return depends.position || depends.velocity || f.states > 0;
+}
+
+// K couples two coordinates only if one equation depends on both.
+bool couples(const Constraint& c, int j, int l) {
+  for (int i = 0; i < c.rows(); ++i)
+    if (c.in_pattern(i, j) && c.in_pattern(i, l)) return true;
+  return false;
+}
+}  // namespace
+
+IterationMatrix::IterationMatrix(System& system, const MatrixLayout& layout)
+    : system_(system), rows_(layout.rows), columns_(layout.columns) {
+  build_pattern(layout);
+  lu_.emplace(scaled_);
+  size_scratch();
+  row_scale_.assign(at(layout.size), 1.0);
+  column_scale_.assign(at(layout.size), 1.0);
+  const int n = system.dofs();
+  double total = 0.0;
+  for (int i = 0; i < n; i += 3) total += system.mass()[at(i)];
+  if (n > 0) mean_mass_ = total / (n / 3);
+}
+
+void IterationMatrix::build_pattern(const MatrixLayout& layout) {
+  PatternBuilder pattern(layout.size);
+  for (const Placement& p : layout.placements)
+    if (is_diagonal(p.block)) place_diagonal(pattern, p);
+  const auto close = [&](Block from, Block to) {
+    for (std::size_t b = static_cast<std::size_t>(from); b <= static_cast<std::size_t>(to); ++b)
+      stamps_[b].first.push_back(stamps_[b].list.size());
+  };
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (const Placement& p : layout.placements)
+      if (is_of_constraint(p.block)) place_constraint(pattern, c, p);
+    close(Block::G, Block::K_mu);
+  }
+  for (const ForceSlot& f : system_.forces()) {
+    for (const Placement& p : layout.placements)
+      if (is_of_force(p.block)) place_force(pattern, f, p);
+    close(Block::Q_q, Block::z_z);
+  }
+  std::vector<int> slot;
+  matrix_ = pattern.compile(slot);
+  scaled_ = matrix_;
+  for (Diagonal& d : diagonals_)
+    for (int& s : d.slots) s = slot[at(s)];
+  for (Stamps& stamps : stamps_)
+    for (Stamp& s : stamps.list) s.slot = slot[at(s.slot)];
+}
+
+void IterationMatrix::place_diagonal(PatternBuilder& pattern, const Placement& p) {
+  Diagonal d{p.block, p.row, p.column, p.factor, {}};
+  const auto request = [&](int i) { d.slots.push_back(pattern.add(p.row + i, p.column + i)); };
+  if (p.block == Block::dropped) {
+    for (const int i : system_.dropped_rows()) request(i);
+  } else {
+    const int count = p.block == Block::states ? system_.states() : system_.dofs();
+    for (int i = 0; i < count; ++i) request(i);
+  }
+  diagonals_.push_back(std::move(d));
+}
+
+void IterationMatrix::place_constraint(PatternBuilder& pattern, const ConstraintSlot& c,
+                                       const Placement& p) {
+  const auto dof = [&](int j) { return system_.dof()[at(c.dofs + j)]; };
+  std::vector<Stamp>& list = stamps(p.block).list;
+  if (p.block == Block::K_lambda || p.block == Block::K_mu) {
+    for (int j = 0; j < c.columns; ++j)
+      for (int l = 0; l < c.columns; ++l)
+        if (dof(j) >= 0 && dof(l) >= 0 && couples(*c.element, j, l))
+          list.push_back(
+              {j * c.columns + l, pattern.add(p.row + dof(j), p.column + dof(l)), p.factor});
+    return;
+  }
+  for (int i = 0; i < c.rows; ++i) {
+    const int equation = c.row + i;
+    if (system_.is_dropped(equation)) continue;
+    for (int j = 0; j < c.columns; ++j) {
+      if (dof(j) < 0 || !c.element->in_pattern(i, j)) continue;
+      const int request = p.block == Block::G_T ? pattern.add(p.row + dof(j), p.column + equation)
+                                                : pattern.add(p.row + equation, p.column + dof(j));
+      list.push_back({c.block + i * c.columns + j, request, p.factor});
+    }
+  }
+}
+
+void IterationMatrix::place_force(PatternBuilder& pattern, const ForceSlot& f, const Placement& p) {
+  const Dependence depends = f.element->dependence();
+  if (p.block == Block::Q_q && !depends.position) return;
+  if (p.block == Block::Q_v && !depends.velocity) return;
+  const bool rows_are_states = p.block >= Block::z_q;
+  const bool columns_are_states = p.block == Block::Q_z || p.block == Block::z_z;
+  const int rows = rows_are_states ? f.states : f.columns;
+  const int columns = columns_are_states ? f.states : f.columns;
+  const auto place = [&](bool is_state, int i) {  // -1: the ground
+    return is_state ? f.z + i : system_.dof()[at(f.dofs + i)];
+  };
+  for (int i = 0; i < rows; ++i) {
+    const int row = place(rows_are_states, i);
+    for (int j = 0; j < columns; ++j) {
+      const int column = place(columns_are_states, j);
+      if (row < 0 || column < 0) continue;
+      stamps(p.block).list.push_back(
+          {i * columns + j, pattern.add(p.row + row, p.column + column), p.factor});
+    }
+  }
+}
+
+void IterationMatrix::size_scratch() {
+  int largest = 0, blocks = 0;
+  for (const ConstraintSlot& c : system_.constraints()) {
+    largest = std::max(largest, c.columns);
+    blocks = std::max(blocks, c.block + c.rows * c.columns);
+  }
+  H_.assign(at(blocks), 0.0);
+  K_.assign(at(largest * largest), 0.0);
+  std::size_t scratch = 0;
+  for (const ForceSlot& f : system_.forces()) {
+    if (!has_derivatives(f)) continue;
+    const std::size_t k = at(f.columns), z = at(f.states);
+    scratch = std::max(scratch, 2 * k * k + 3 * k * z + z * z + k + z);
+  }
+  scratch_.assign(scratch, 0.0);
+}
+
+void IterationMatrix::evaluate(const Point& at, std::span<const double> factors) {
+  factors_ = factors;
+  std::ranges::fill(matrix_.value, 0.0);
+  add_diagonals();
+  if (uses(Block::H_second)) add_second_velocity(at);
+  system_.set_motion(at.t, at.q, at.v);
+  system_.set_states(at.z);
+  for (std::size_t i = 0; i < system_.constraints().size(); ++i) add_constraint(i, at);
+  for (std::size_t i = 0; i < system_.forces().size(); ++i) add_force(i);
+}
+
+void IterationMatrix::add_diagonals() {
+  for (const Diagonal& d : diagonals_) {
+    const double factor = factors_[at(d.factor)];
+    for (std::size_t i = 0; i < d.slots.size(); ++i)
+      matrix_.value[at(d.slots[i])] += d.block == Block::mass ? factor * system_.mass()[i] : factor;
+  }
+}
+
+void IterationMatrix::add(Block block, std::size_t element, const double* values) {
+  const Stamps& s = stamps(block);
+  if (s.list.empty()) return;
+  double* value = matrix_.value.data();
+  for (std::size_t k = s.first[element]; k < s.first[element + 1]; ++k) {
+    const Stamp& stamp = s.list[k];
+    value[stamp.slot] += factors_[at(stamp.factor)] * values[stamp.entry];
+  }
+}
+
+void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
+  const ConstraintSlot& c = system_.constraints()[i];
+  const auto clear = [&] { std::fill_n(K_.begin(), c.columns * c.columns, 0.0); };
+  ConstraintRequest out{.G = system_.G() + c.block};
+  if (uses(Block::H)) out.H = H_.data() + c.block;
+  if (uses(Block::K_lambda)) {
+    clear();
+    out.K = K_.data();
+    out.lambda = at.lambda + c.row;
+  }
+  c.element->evaluate(system_.motion(), out);
+  add(Block::G, i, system_.G());
+  add(Block::G_T, i, system_.G());
+  add(Block::H, i, H_.data());
+  add(Block::K_lambda, i, K_.data());
+  if (!uses(Block::K_mu)) return;
+  clear();
+  c.element->evaluate(system_.motion(), {.K = K_.data(), .lambda = at.mu + c.row});
+  add(Block::K_mu, i, K_.data());
+}
+
+void IterationMatrix::add_second_velocity(const Point& at) {
+  system_.set_motion(at.t, at.q, at.v_second);
+  for (std::size_t i = 0; i < system_.constraints().size(); ++i) {
+    const ConstraintSlot& c = system_.constraints()[i];
+    c.element->evaluate(system_.motion(), {.H = H_.data() + c.block});
+    add(Block::H_second, i, H_.data());
+  }
+}
+
+void IterationMatrix::add_force(std::size_t i) {
+  const ForceSlot& f = system_.forces()[i];
+  if (!has_derivatives(f)) return;
+  const int k = f.columns, nz = f.states;
+  double* next = scratch_.data();
+  const auto block = [&](int size) {
+    double* p = next;
+    next += size;
+    return p;
+  };
+  ForceRequest out;
+  out.Q = block(k);  // Q and f come along with their derivatives
+  out.dQ_dq = block(k * k);
+  out.dQ_dv = block(k * k);
+  if (nz > 0) {
+    out.z_dot = block(nz);
+    out.dQ_dz = block(k * nz);
+    out.dz_dq = block(nz * k);
+    out.dz_dv = block(nz * k);
+    out.dz_dz = block(nz * nz);
+  }
+  std::fill(scratch_.data(), next, 0.0);
+  f.element->evaluate(system_.force_input(f), out);
+  add(Block::Q_q, i, out.dQ_dq);
+  add(Block::Q_v, i, out.dQ_dv);
+  if (nz == 0) return;
+  add(Block::Q_z, i, out.dQ_dz);
+  add(Block::z_q, i, out.dz_dq);
+  add(Block::z_v, i, out.dz_dv);
+  add(Block::z_z, i, out.dz_dz);
+}
+
+int IterationMatrix::count(Unit unit) const {
+  switch (unit) {
+    case Unit::coordinate:
+    case Unit::force:
+      return system_.dofs();
+    case Unit::equation:
+    case Unit::multiplier:
+      return system_.rows();
+    case Unit::state:
+      break;
+  }
+  return system_.states();
+}
+
+double IterationMatrix::unit_of(Unit unit, int i) const {
+  const double length = system_.scales().length, m = mean_mass_;
+  switch (unit) {
+    case Unit::coordinate:
+      return i % 3 == 2 ? 1.0 : length;
+    case Unit::force:
+      return i % 3 == 2 ? m * length * length : m * length;
+    case Unit::equation:
+      return system_.measure(i) == Measure::length ? length : 1.0;
+    case Unit::multiplier:
+      return system_.measure(i) == Measure::length ? m * length : m * length * length;
+    case Unit::state:
+      break;
+  }
+  return 1.0;
+}
+
+void IterationMatrix::calc_scaling(double rate) {
+  const auto size_of = [&](const Part& part, int i) {
+    double size = unit_of(part.unit, i);
+    for (int k = 0; k < part.power; ++k) size *= rate;
+    for (int k = 0; k > part.power; --k) size /= rate;
+    return size;
+  };
+  for (const Part& part : columns_)
+    for (int i = 0; i < count(part.unit); ++i)
+      column_scale_[at(part.offset + i)] = size_of(part, i);
+  for (const Part& part : rows_)
+    for (int i = 0; i < count(part.unit); ++i)
+      row_scale_[at(part.offset + i)] = 1.0 / size_of(part, i);
+  for (const Diagonal& d : diagonals_)
+    if (d.block == Block::dropped)
+      for (const int i : system_.dropped_rows())
+        row_scale_[at(d.row + i)] = 1.0 / column_scale_[at(d.column + i)];
+}
+
+bool IterationMatrix::factorise(double rate) {
+  calc_scaling(std::abs(rate));
+  for (int j = 0; j < size(); ++j) {
+    const double column = column_scale_[at(j)];
+    for (int k = matrix_.column_start[at(j)]; k < matrix_.column_start[at(j) + 1]; ++k)
+      scaled_.value[at(k)] = matrix_.value[at(k)] * column * row_scale_[at(matrix_.row[at(k)])];
+  }
+  return lu_->factorise(scaled_);
+}
+
+void IterationMatrix::solve(double* b) {
+  for (int i = 0; i < size(); ++i) b[i] *= row_scale_[at(i)];
+  lu_->solve(b);
+  for (int i = 0; i < size(); ++i) b[i] *= column_scale_[at(i)];
+}
+
+}  // namespace yoke

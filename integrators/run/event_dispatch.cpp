@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/run/event_dispatch.hpp>
+
+#include <utility>
+
+namespace yoke {
+
+ElementEvents::ElementEvents(Dynamics& dynamics, State& state, std::vector<EventRecord>& events,
+                             StopRun stop)
+    : dynamics_(dynamics),
+      state_(state),
+      events_(events),
+      stop_(std::move(stop)),
+      contacts_before_(state.contacts) {}
+
+EventContext ElementEvents::context_of(const ForceSlot& slot) {
+  System& system = dynamics_.system();
+  local_acceleration_.assign(static_cast<std::size_t>(slot.columns), 0.0);
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system.dof()[static_cast<std::size_t>(slot.dofs + j)]; dof >= 0)
+      local_acceleration_[static_cast<std::size_t>(j)] = state_.a[dof];
+  return {.input = system.force_input(slot),
+          .contact = state_.contacts.data() + slot.contacts,
+          .effective_mass = [this,
+                             &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
+          .acceleration = local_acceleration_.data(),
+          .dissipate =
+              [this, &slot](double joules) {
+                if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+              },
+          .record =
+              [this, &slot](EventRecord record) {
+                record.t = state_.t;
+                record.element = slot.element->name();
+                events_.push_back(std::move(record));
+              },
+          .fail =
+              [this, &slot](std::string reason) {
+                stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
+              },
+          .stop =
+              [this, &slot] {
+                stop_(Stop::by_event,
+                      fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
+              },
+          .parameter = [this](std::string_view name) -> double& {
+            parameters_changed_ = true;
+            return state_.parameters[dynamics_.system().model().find_parameter(name)];
+          }};
+}
+
+void ElementEvents::initialise_contacts() {
+  for (const ForceSlot& slot : dynamics_.system().forces()) {
+    if (slot.element->contacts() == 0) continue;
+    EventContext context = context_of(slot);
+    slot.element->initialise_contacts(context);
+  }
+}
+
+void ElementEvents::handle(const std::vector<int>& fired) {
+  contacts_before_ = state_.contacts;
+  parameters_changed_ = false;
+  state_.handled.clear();
+  state_.handled_at = state_.t;
+  for (const int event : fired) {
+    for (const ForceSlot& slot : dynamics_.system().forces()) {
+      if (event < slot.events || event >= slot.events + slot.element->events()) continue;
+      handle_one(slot, event - slot.events);
+    }
+  }
+}
+
+void ElementEvents::handle_one(const ForceSlot& slot, int event) {
+  if (slot.element->events_settle()) state_.handled.push_back(slot.events + event);
+  EventContext context = context_of(slot);
+  const EnergyTerms before = dynamics_.system().calc_energy();
+  slot.element->handle_event(event, context);
+  if (parameters_changed_) dynamics_.system().model().check_parameters(state_.parameters);
+  if (!parameters_changed_ || slot.supplied < 0) return;
+  const EnergyTerms after = dynamics_.system().calc_energy();
+  state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
+}
+
+bool ElementEvents::changed() const {
+  return parameters_changed_ || !(state_.contacts == contacts_before_);
+}
+
+}  // namespace yoke

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/run/recorder.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace yoke {
+
+namespace {
+
+void add_body_columns(Table& table, const Body& body) {
+  const std::string n = body.name + ".";
+  for (const auto& [name, unit] : {std::pair{"x", "m"},
+                                   {"y", "m"},
+                                   {"angle", "rad"},
+                                   {"vx", "m_per_s"},
+                                   {"vy", "m_per_s"},
+                                   {"omega", "rad_per_s"},
+                                   {"ax", "m_per_s2"},
+                                   {"ay", "m_per_s2"},
+                                   {"alpha", "rad_per_s2"}})
+    table.add_column(n + name, unit);
+}
+
+}  // namespace
+
+Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
+    : dynamics_(dynamics), result_(result) {
+  const System& system = dynamics.system();
+  Table& table = result.samples;
+  table.add_column("t", "s");
+  for (std::size_t i = 1; i < system.model().bodies().size(); ++i)
+    add_body_columns(table, system.model().bodies()[i]);
+  for (const ConstraintSlot& c : system.constraints()) {
+    table.add_column(c.element->name() + ".fx", "N");
+    table.add_column(c.element->name() + ".fy", "N");
+    table.add_column(c.element->name() + ".moment", "N_m");
+  }
+  for (const ForceSlot& f : system.forces()) {
+    for (const Channel& z : f.element->states())
+      table.add_column(f.element->name() + "." + z.name, z.unit);
+    const std::vector<Channel> channels = f.element->channels();
+    for (const Channel& c : channels)
+      table.add_column(f.element->name() + "." + c.name, c.unit, c.labels);
+    channels_.push_back(channels.size());
+  }
+  for (const std::string& name : system.quadrature_names()) {
+    table.add_column(name, "J");
+    is_work_.push_back(name.ends_with(".work"));
+  }
+  for (const char* name : {"kinetic", "potential", "stored", "dissipated", "work", "balance"})
+    table.add_column(name, "J");
+  table.reserve(rows);
+}
+
+void Recorder::start(const State& state) {
+  System& system = dynamics_.system();
+  system.bind(state);
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  ledger_.start = system.calc_energy();
+  ledger_.initial = ledger_.start.kinetic + ledger_.start.potential + ledger_.start.stored;
+  for (std::size_t i = 0; i < is_work_.size(); ++i)
+    ledger_.initial += (is_work_[i] ? -1.0 : 1.0) * state.energy[static_cast<Eigen::Index>(i)];
+}
+
+void Recorder::record(const State& state) {
+  check(state);
+  double* row = result_.samples.append();
+  *row++ = state.t;
+  row = record_bodies(state, row);
+  row = record_reactions(state, row);
+  row = record_channels(row);
+  record_energy(state, row);
+}
+
+void Recorder::check(const State& state) {
+  Summary& summary = result_.summary;
+  summary.position_violation =
+      std::max(summary.position_violation, dynamics_.position_violation(state));
+  summary.velocity_violation =
+      std::max(summary.velocity_violation, dynamics_.velocity_violation(state));
+}
+
+double* Recorder::record_bodies(const State& state, double* row) const {
+  for (Eigen::Index i = 0; i < state.q.size(); i += 3) {
+    for (const Eigen::VectorXd* values : {&state.q, &state.v, &state.a})
+      for (Eigen::Index j = 0; j < 3; ++j) *row++ = (*values)[i + j];
+  }
+  return row;
+}
+
+double* Recorder::record_reactions(const State& state, double* row) const {
+  for (std::size_t i = 0; i < dynamics_.system().constraints().size(); ++i) {
+    const Reaction reaction = dynamics_.reaction(i, state.lambda.data());
+    *row++ = reaction.force.x();
+    *row++ = reaction.force.y();
+    *row++ = reaction.moment;
+  }
+  return row;
+}
+
+double* Recorder::record_channels(double* row) const {
+  const auto forces = dynamics_.system().forces();
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const ForceInput input = dynamics_.system().force_input(forces[i]);
+    row = std::copy_n(input.z, forces[i].states, row);
+    if (channels_[i] == 0) continue;
+    forces[i].element->calc_channels(input, row);
+    row += channels_[i];
+  }
+  return row;
+}
+
+void Recorder::record_energy(const State& state, double* row) {
+  const EnergyTerms energy = dynamics_.system().calc_energy();
+  double work = 0.0, dissipated = 0.0, moved = 0.0;
+  for (std::size_t i = 0; i < is_work_.size(); ++i) {
+    const double value = state.energy[static_cast<Eigen::Index>(i)];
+    *row++ = value;
+    (is_work_[i] ? work : dissipated) += value;
+    moved = std::max(moved, std::abs(value));
+  }
+  const double balance =
+      energy.kinetic + energy.potential + energy.stored + dissipated - work - ledger_.initial;
+  for (const double x :
+       {energy.kinetic, energy.potential, energy.stored, dissipated, work, balance})
+    *row++ = x;
+  Summary& summary = result_.summary;
+  summary.energy_balance = std::max(summary.energy_balance, std::abs(balance));
+  summary.energy_exchanged =
+      std::max({summary.energy_exchanged, moved, std::abs(energy.kinetic - ledger_.start.kinetic),
+                std::abs(energy.potential - ledger_.start.potential),
+                std::abs(energy.stored - ledger_.start.stored)});
+}
+
+}  // namespace yoke

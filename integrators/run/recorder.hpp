@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Turns states into rows of a Table: motion, reactions, what elements report, and the energy ledger
+//   kinetic + potential + stored + dissipated = initial + work,
+// every term computed by itself.
+#pragma once
+
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/result.hpp>
+
+namespace yoke {
+
+class Recorder {
+ public:
+  /// Adds the columns of the model to `result`, with room for `rows` rows.
+  Recorder(Dynamics& dynamics, Result& result, std::size_t rows);
+  /// Takes `state` (projected, with its accelerations) as the zero of the energy ledger.
+  void start(const State& state);
+  /// The zero of the ledger, to be kept when a run is taken up again.
+  struct Ledger {
+    double initial = 0.0;  // [J]
+    EnergyTerms start;
+  };
+  const Ledger& ledger() const { return ledger_; }
+  void resume(const Ledger& ledger) { ledger_ = ledger; }
+  /// Appends one row and updates the worst figures of the summary.
+  void record(const State& state);
+  /// The same without a row: at events.
+  void check(const State& state);
+
+ private:
+  double* record_bodies(const State& state, double* row) const;
+  double* record_reactions(const State& state, double* row) const;
+  double* record_channels(double* row) const;
+  void record_energy(const State& state, double* row);
+
+  Dynamics& dynamics_;
+  Result& result_;
+  std::vector<std::size_t> channels_;  // of each force element
+  std::vector<bool> is_work_;          // of each quadrature: work done, else dissipated
+  Ledger ledger_;
+};
+
+}  // namespace yoke

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/integrators/run/sampling.hpp>
+
+#include <algorithm>
+#include <limits>
+
+#include <yoke/integrators/run/failure_messages.hpp>
+
+namespace yoke {
+
+namespace {
+
+constexpr double largest_drift = 1e4;  // in units of the tolerance; a step errs by about one
+
+}  // namespace
+
+RunSamples::RunSamples(Dynamics& dynamics, Result& result, const SimulationOptions& options,
+                       double begin)
+    : dynamics_(dynamics),
+      summary_(result.summary),
+      options_(options),
+      recorder_(dynamics, result, static_cast<std::size_t>(std::max(options.samples, 0))),
+      begin_(begin) {
+  result.events.reserve(1024);
+}
+
+void RunSamples::resume(const Recorder::Ledger& ledger, long next) {
+  recorder_.resume(ledger);
+  next_ = next;
+}
+
+double RunSamples::next_time() const {
+  if (next_ >= options_.samples) return std::numeric_limits<double>::infinity();
+  const long last = options_.samples - 1;
+  if (next_ == last) return options_.until;
+  return begin_ +
+         (options_.until - begin_) * (static_cast<double>(next_) / static_cast<double>(last));
+}
+
+Outcome RunSamples::record_up_to(double t, Formulation& formulation, State& scratch) {
+  Outcome outcome;
+  for (; outcome && next_time() <= t; ++next_)
+    outcome = record_at(next_time(), formulation, scratch);
+  return outcome;
+}
+
+Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch) {
+  formulation.interpolate(t, scratch);
+  if (Outcome outcome = measure_drift(scratch); !outcome) return outcome;
+  if (!dynamics_.project(scratch)) return {false, not_projected_equation(dynamics_, t)};
+  recorder_.record(scratch);
+  return {};
+}
+
+void RunSamples::record_restart(const State& state) {
+  if (next_time() == state.t) {
+    recorder_.record(state);
+    ++next_;
+  } else {
+    recorder_.check(state);
+  }
+}
+
+void RunSamples::record_end(const State& state) {
+  if (options_.samples > 0) recorder_.record(state);
+}
+
+// A formulation after Baumgarte follows a driver that jumps by a motion of its own; projection
+// would then put the mechanism somewhere else.
+Outcome RunSamples::measure_drift(const State& state) {
+  summary_.velocity_drift = std::max(summary_.velocity_drift, dynamics_.velocity_violation(state));
+  summary_.position_drift = std::max(summary_.position_drift, dynamics_.position_violation(state));
+  const double tolerance = options_.relative_tolerance;
+  if (dynamics_.worst_residual() <= largest_drift * tolerance) return {};
+  return {false, drifted(dynamics_, state.t, tolerance)};
+}
+
+}  // namespace yoke

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Crossing singular positions, whatever the formulation. Where constraint equations become
+// dependent for an instant (a parallelogram with all links in line) the motion is smooth, but the
+// multipliers grow without bound, errors of a step are amplified by the same factor, and adaptive
+// steps run to zero. A run is therefore guarded:
+//
+//   watch    after every accepted step, Dynamics::independence(): m, which falls like the square of
+//            the distance to the singular position. No look at mechanisms without closed loops.
+//   leave    the formulation when m is below 1e-3 of the largest seen, or heads for zero within the
+//            next step and a half, or the formulation fails with m below a tenth.
+//   cross    with Gauss' collocation, 6 stages, order 12. Its stages lie beside the ends of a step,
+//            and each is projected on positions and velocities before accelerations are asked for,
+//            so nothing is evaluated off the constraints. A stage or end too close to the singular
+//            position (m < 1e-8) moves by a change of the step. Steps have their error controlled
+//            by a method of 4 stages but are never shorter than a thousandth of the time scale on
+//            its account.
+//   return   to the formulation when m has doubled, with energy before and after compared.
+//
+// Contacts and events inside the crossing are located on the collocation polynomial as elsewhere.
+//
+// Where equations were left out as redundant, it also watches them (they may turn out to be in
+// conflict later: the run then ends with a ModelError that names the equation), and it chooses anew
+// which to leave out when those kept become dependent but others are not.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <yoke/core/result.hpp>
+#include <yoke/integrators/formulations/formulation.hpp>
+
+namespace yoke {
+
+/// Can constraint equations become dependent while the mechanism moves? Not if the joints form no
+/// closed loop, not counting those that relate angles only.
+bool has_closed_loops(const System& system);
+
+/// A formulation guarded as described above, or the bare one if there is nothing to guard.
+/// `record` is called for every singular position that was crossed.
+std::unique_ptr<Formulation> guard_singular_positions(
+    const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
+    std::function<void(const SingularPosition&)> record);
+
+}  // namespace yoke

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/joints/forces/applied_torque.hpp>
+
+#include <yoke/joints/rows/checks.hpp>
+
+namespace yoke {
+namespace {
+
+class AppliedTorqueElement final : public ForceElement {
+ public:
+  explicit AppliedTorqueElement(const AppliedTorque& t)
+      : ForceElement(t.name, {t.body}, {.position = false, .velocity = false}),
+        body_(t.body),
+        torque_(t.torque) {}
+
+  bool supplies() const override { return true; }
+
+  void evaluate(const ForceInput& in, const ForceRequest& out) const override {
+    const double torque = torque_(in.motion.t);
+    if (out.Q != nullptr) out.Q[2] = torque;
+    if (out.energy != nullptr) out.energy->supplied_power = torque * in.motion[body_].omega;
+  }
+
+ private:
+  BodyId body_;
+  std::function<double(double)> torque_;
+};
+
+}  // namespace
+
+void require_torque_body(const Model& model, const std::string& name, BodyId body) {
+  require_moving_body(element_name("applied torque", name), model, {"body", body});
+}
+
+std::unique_ptr<ForceElement> AppliedTorque::build(const Model& model) const {
+  const std::string owner = element_name("applied torque", name);
+  require_torque_body(model, name, body);
+  if (!torque) throw ModelError(owner + ": torque is missing; give a function of time");
+  require_finite(owner, "torque at t = 0", torque(0.0));
+  return std::make_unique<AppliedTorqueElement>(*this);
+}
+
+}  // namespace yoke
