@@ -34,6 +34,14 @@ inline double rounding_of(double coordinate) {
   return 8.0 * std::numeric_limits<double>::epsilon() * std::abs(coordinate);
 }
 
+/// Baumgarte's stabilisation of a method at acceleration level: critical damping at the user's rate
+/// or, if none is given, at the natural one.
+inline Baumgarte critically_damped(const Tolerances& tolerances) {
+  const double rate =
+      tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : tolerances.natural_rate;
+  return {.alpha = rate, .beta = rate};
+}
+
 enum class Step { advanced, event, failed };
 
 /// What a formulation has cost so far.

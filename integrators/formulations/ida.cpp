@@ -8,15 +8,11 @@
 // wholly driven. The first part of y are displacements from the last restart, so that rounding in
 // IDA's sums does not know where the origin is.
 #include <idas/idas.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_linearsolver.h>
-#include <sundials/sundials_matrix.h>
 
-#include <yoke/integrators/formulations/event_guard.hpp>
 #include <yoke/integrators/formulations/ida.hpp>
 #include <yoke/integrators/formulations/ida_step_control.hpp>
-#include <yoke/integrators/sundials/callback_failure.hpp>
-#include <yoke/integrators/sundials/vector.hpp>
+#include <yoke/integrators/formulations/sundials_stepper.hpp>
+#include <yoke/integrators/sundials/linear_solver.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,35 +28,27 @@ constexpr double first_error = 1e-4;      // of the first step, in tolerances
 constexpr double longest_first = 1000.0;  // the same, in times of the probe
 constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Newton's convergence
 
-class Ida final : public Formulation {
+class Ida final : public SundialsStepper {
  public:
   Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations);
   ~Ida() override;
 
   void start(const State& state) override;
   Step step(double t_stop) override;
-  double time() const override { return t_; }
   double last_step() const override;
   void interpolate(double t, State& state) override;
-  const std::vector<int>& fired() const override { return guard_.fired(); }
-  const std::vector<int>& passed() const override { return guard_.passed(); }
   StepCounters counters() const override;
-  std::string failure() const override { return failure_.text; }
 
  private:
   static int residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self);
   static int jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Vector r,
                       SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector);
-  bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
   static int events(sunrealtype t, N_Vector y, N_Vector y_dot, sunrealtype* g, void* self);
-  static int weights(N_Vector y, N_Vector weights, void* self);
-  static int setup(SUNLinearSolver solver, SUNMatrix matrix);
-  static int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector x, N_Vector b,
-                   sunrealtype tolerance);
-  static void on_error(int code, const char* module, const char* function, char* message,
-                       void* self);
-  void create_matrix_and_solver();
-  void create(const State& state);
+  LinearSolverCalls solver_calls() const;
+  bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
+  void calc_jacobian(double t, double c, const double* y, const double* y_dot);
+  void solve(const double* b, double* x);
+  void create(double t);
   void set_weights();
   void pack(const State& state);
   void refresh_matrix();
@@ -68,66 +56,38 @@ class Ida final : public Formulation {
 
   /// y with positions for displacements, in scratch.
   const double* absolute(const double* y);
-  double* y() { return NV_DATA_S(y_); }
-  double* y_dot() { return NV_DATA_S(y_dot_); }
+  double* y_dot() { return y_dot_.data(); }
 
-  Dynamics& dynamics_;
-  Tolerances tolerances_;
   std::unique_ptr<DaeEquations> own_equations_;
   DaeEquations& equations_;
-  EventGuard guard_;
-  int n_, nz_, rows_, quadratures_, size_;
-  SUNContext context_ = nullptr;
+  int rows_;
+  OwnLinearSolver solver_;
   void* memory_ = nullptr;
-  SUNMatrix matrix_ = nullptr;
-  SUNLinearSolver solver_ = nullptr;
-  N_Vector y_ = nullptr, y_dot_ = nullptr, weights_ = nullptr;  // weights_: 1 / tolerance
-  N_Vector scratch_ = nullptr;
+  SundialsVector y_dot_, scratch_;
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
   int steps_with_matrix_ = 0;
   IdaStepControl control_;
-  std::vector<double> q_start_, absolute_;
-  double t_ = 0.0;
-  double t_stop_ = 0.0;
-  std::vector<int> found_;
-  StepCounters before_;
+  std::vector<double> absolute_;
   long residuals_ = 0, matrices_ = 0;  // never reset
-  CallbackFailure failure_;
 };
 
 Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations)
-    : dynamics_(dynamics),
-      tolerances_(tolerances),
+    : SundialsStepper(dynamics, tolerances, equations->size()),
       own_equations_(std::move(equations)),
       equations_(*own_equations_),
-      guard_(dynamics),
-      n_(dynamics.system().dofs()),
-      nz_(dynamics.system().states()),
       rows_(dynamics.system().rows()),
-      quadratures_(dynamics.system().quadratures()),
-      size_(equations_.size() + quadratures_) {
-  SUNContext_Create(nullptr, &context_);
-  y_ = new_vector(size_, context_);
-  y_dot_ = N_VClone(y_);
-  weights_ = N_VClone(y_);
-  scratch_ = N_VClone(y_);
+      solver_(this, solver_calls(), context_),
+      y_dot_(size_, context_),
+      scratch_(size_, context_) {
   power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
-  found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
   lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
-  failure_.text.reserve(512);
-  q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   absolute_.assign(static_cast<std::size_t>(size_), 0.0);
-  create_matrix_and_solver();
 }
 
 Ida::~Ida() {
   if (memory_ != nullptr) IDAFree(&memory_);
-  SUNLinSolFreeEmpty(solver_);
-  SUNMatFreeEmpty(matrix_);
-  for (N_Vector vector : {y_, y_dot_, weights_, scratch_}) N_VDestroy(vector);
-  SUNContext_Free(&context_);
 }
 
 const double* Ida::absolute(const double* y) {
@@ -136,68 +96,50 @@ const double* Ida::absolute(const double* y) {
   return absolute_.data();
 }
 
-// SUNDIALS sees a matrix without data and a direct solver that works on equations_.
-void Ida::create_matrix_and_solver() {
-  matrix_ = SUNMatNewEmpty(context_);
-  matrix_->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
-  matrix_->ops->zero = [](SUNMatrix) { return 0; };
-  matrix_->content = this;
-  solver_ = SUNLinSolNewEmpty(context_);
-  solver_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
-  solver_->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
-  solver_->ops->setup = &Ida::setup;
-  solver_->ops->solve = &Ida::solve;
-  solver_->content = this;
+LinearSolverCalls Ida::solver_calls() const {
+  return {.setup = [](void* me) { return static_cast<Ida*>(me)->equations_.factorise() ? 0 : 1; },
+          .solve =
+              [](void* me, N_Vector x, N_Vector b) {
+                static_cast<Ida*>(me)->solve(NV_DATA_S(b), NV_DATA_S(x));
+                return 0;
+              }};
 }
 
 void Ida::set_weights() {
   // The root mean square of IDA runs over all unknowns; what is not weighted must not dilute it.
   const double weighted = std::max(1, 2 * n_ + nz_);
-  const double share = std::sqrt(weighted / std::max(1, size_));
-  double* w = NV_DATA_S(weights_);
-  for (int i = 0; i < n_; ++i) {
-    w[i] = share * std::max(tolerances_.q[i], rounding_of(q_start_[static_cast<std::size_t>(i)]));
-    w[equations_.v() + i] = share * tolerances_.v[i];
-  }
-  for (int i = 0; i < nz_; ++i) w[equations_.z() + i] = share * tolerances_.z[i];
-  for (int i = equations_.lambda(); i < equations_.size(); ++i) w[i] = unweighted;
-  for (int i = equations_.size(); i < size_; ++i) w[i] = share * tolerances_.energy;
-  for (int i = 0; i < size_; ++i) w[i] = 1.0 / w[i];
+  SundialsStepper::set_weights(std::sqrt(weighted / std::max(1, size_)));
+  std::fill(weights_.data() + equations_.lambda(), weights_.data() + energies_, 1.0 / unweighted);
 }
 
 void Ida::pack(const State& state) {
   N_VConst(0.0, y_);
   N_VConst(0.0, y_dot_);
-  std::copy_n(state.q.data(), n_, q_start_.begin());
-  std::copy_n(state.v.data(), n_, y() + equations_.v());
-  std::copy_n(state.z.data(), nz_, y() + equations_.z());
-  std::copy_n(state.lambda.data(), rows_, y() + equations_.lambda());
+  SundialsStepper::pack(state);
   std::copy_n(state.v.data(), n_, y_dot());
-  std::copy_n(state.energy.data(), quadratures_, y() + equations_.size());
   // The accelerations of the state belong to the contacts before an event; ask again.
   dynamics_.calc_accelerations(state.t, state.q.data(), y() + n_, y() + 2 * n_, a_.data(),
                                lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr,
-                               quadratures_ > 0 ? y_dot() + equations_.size() : nullptr);
+                               quadratures_ > 0 ? y_dot() + energies_ : nullptr);
   std::copy(a_.begin(), a_.end(), y_dot() + equations_.v());
   std::copy(lambda_.begin(), lambda_.end(), y() + equations_.lambda());
 }
 
-void Ida::create(const State& state) {
+void Ida::create(double t) {
   memory_ = IDACreate(context_);
-  IDASetErrHandlerFn(memory_, &Ida::on_error, this);
-  IDAInit(memory_, &Ida::residual, state.t, y_, y_dot_);
-  IDASetUserData(memory_, this);
+  context_.report_errors_of(SundialsPackage::ida, memory_);
+  IDAInit(memory_, &Ida::residual, t, y_, y_dot_);
+  IDASetUserData(memory_, user_data());
   set_weights();
-  IDAWFtolerances(memory_, &Ida::weights);
-  IDASetLinearSolver(memory_, solver_, matrix_);
+  IDAWFtolerances(memory_, &Ida::copy_weights);
+  IDASetLinearSolver(memory_, solver_.solver(), solver_.matrix());
   IDASetJacFn(memory_, &Ida::jacobian);
   IDASetDeltaCjLSetup(memory_, step_change);
   IDASetMaxErrTestFails(memory_, 30);
   IDASetMaxConvFails(memory_, 30);
   if (guard_.count() > 0) {
     IDARootInit(memory_, guard_.count(), &Ida::events);
-    std::vector<int> upwards(found_.size(), 1);
-    IDASetRootDirection(memory_, upwards.data());
+    IDASetRootDirection(memory_, directions().data());
     IDASetNoInactiveRootWarn(memory_);
   }
 }
@@ -208,7 +150,7 @@ void Ida::start(const State& state) {
   t_stop_ = t_;
   guard_.start(state);
   if (memory_ == nullptr) {
-    create(state);
+    create(state.t);
   } else {
     before_ = counters();
     before_.factors = {};  // these are never reset
@@ -231,12 +173,12 @@ double Ida::first_step() {
   for (int i = 0; i < equations_.lambda(); ++i)
     absolute_[static_cast<std::size_t>(i)] += d * y_dot()[i];
   N_VConst(0.0, scratch_);
-  double* change = NV_DATA_S(scratch_);
+  double* change = scratch_.data();
   const double* at = absolute_.data();
   const int found = failure_.guard([&] {
     return dynamics_.calc_accelerations(t_ + d, at, at + n_, at + 2 * n_, change + n_,
                                         lambda_.data(), nz_ > 0 ? change + 2 * n_ : nullptr,
-                                        quadratures_ > 0 ? change + equations_.size() : nullptr)
+                                        quadratures_ > 0 ? change + energies_ : nullptr)
                ? 0
                : 1;
   });
@@ -263,12 +205,12 @@ Step Ida::step(double t_stop) {
   }
   if (flag == IDA_ROOT_RETURN) {
     IDAGetRootInfo(memory_, found_.data());
-    guard_.collect(t_, absolute(y()), y() + n_, y() + 2 * n_, found_);
+    collect_events();
     return Step::event;
   }
   refresh_matrix();
   control_.accept(memory_, t_, weights_, scratch_);
-  guard_.accept(t_, absolute(y()), y() + n_, y() + 2 * n_);
+  accept_step();
   return Step::advanced;
 }
 
@@ -279,10 +221,8 @@ Step Ida::step(double t_stop) {
 // for the same reason a small change of the step asks for one.
 void Ida::refresh_matrix() {
   if (++steps_with_matrix_ < steps_per_matrix) return;
-  equations_.calc_jacobian(t_, shift_, absolute(y()), y_dot());
+  calc_jacobian(t_, shift_, y(), y_dot());
   equations_.factorise();
-  ++matrices_;
-  steps_with_matrix_ = 0;
 }
 
 double Ida::last_step() const {
@@ -293,11 +233,7 @@ double Ida::last_step() const {
 
 void Ida::interpolate(double t, State& state) {
   IDAGetDky(memory_, t, 0, y_);
-  state.t = t;
-  std::copy_n(absolute(y()), n_, state.q.data());
-  std::copy_n(y() + equations_.v(), n_, state.v.data());
-  std::copy_n(y() + equations_.z(), nz_, state.z.data());
-  std::copy_n(y() + equations_.size(), quadratures_, state.energy.data());
+  unpack(t, state);
 }
 
 StepCounters Ida::counters() const {
@@ -316,7 +252,7 @@ StepCounters Ida::counters() const {
 }
 
 int Ida::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* self) {
-  auto& me = *static_cast<Ida*>(self);
+  auto& me = from<Ida>(self);
   return me.failure_.guard([&] {
     // 1: try a shorter step
     return me.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r)) ? 0 : 1;
@@ -333,51 +269,36 @@ bool Ida::calc_residual(double t, const double* y, const double* y_dot, double* 
                                     power_.data()))
     return false;
   for (int i = 0; i < quadratures_; ++i)
-    residual[equations_.size() + i] =
-        y_dot[equations_.size() + i] - power_[static_cast<std::size_t>(i)];
+    residual[energies_ + i] = y_dot[energies_ + i] - power_[static_cast<std::size_t>(i)];
   return true;
 }
 
 int Ida::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector y_dot, N_Vector, SUNMatrix,
                   void* self, N_Vector, N_Vector, N_Vector) {
-  auto& me = *static_cast<Ida*>(self);
+  auto& me = from<Ida>(self);
   return me.failure_.guard([&] {
-    me.shift_ = c;
-    me.steps_with_matrix_ = 0;
-    ++me.matrices_;
-    me.equations_.calc_jacobian(t, c, me.absolute(NV_DATA_S(y)), NV_DATA_S(y_dot));
+    me.calc_jacobian(t, c, NV_DATA_S(y), NV_DATA_S(y_dot));
     return 0;
   });
 }
 
-// They do not depend on y, so SUNDIALS need not compute them anew in every step.
-int Ida::weights(N_Vector, N_Vector weights, void* self) {
-  N_VScale(1.0, static_cast<Ida*>(self)->weights_, weights);
-  return 0;
+void Ida::calc_jacobian(double t, double c, const double* y, const double* y_dot) {
+  shift_ = c;
+  steps_with_matrix_ = 0;
+  ++matrices_;
+  equations_.calc_jacobian(t, c, absolute(y), y_dot);
 }
 
-int Ida::setup(SUNLinearSolver solver, SUNMatrix) {
-  return static_cast<Ida*>(solver->content)->equations_.factorise() ? 0 : 1;
-}
-
-int Ida::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
-  auto& me = *static_cast<Ida*>(solver->content);
-  std::copy_n(NV_DATA_S(b), me.size_, NV_DATA_S(x));
-  me.equations_.solve(NV_DATA_S(x));
+void Ida::solve(const double* b, double* x) {
+  std::copy_n(b, size_, x);
+  equations_.solve(x);
   // Energies act on nothing, so Newton's iteration does without their derivatives by the motion.
-  for (int i = me.equations_.size(); i < me.size_; ++i) NV_Ith_S(x, i) /= me.shift_;
-  return 0;
+  for (int i = energies_; i < size_; ++i) x[i] /= shift_;
 }
 
-int Ida::events(sunrealtype t, N_Vector y_vector, N_Vector, sunrealtype* g, void* self) {
-  auto& me = *static_cast<Ida*>(self);
-  const double* y = NV_DATA_S(y_vector);
-  return me.failure_.guard(
-      [&] { return me.guard_.evaluate(t, me.absolute(y), y + me.n_, y + 2 * me.n_, g) ? 0 : -1; });
-}
-
-void Ida::on_error(int code, const char*, const char*, char* message, void* self) {
-  static_cast<Ida*>(self)->failure_.report(code, message);
+int Ida::events(sunrealtype t, N_Vector y, N_Vector, sunrealtype* g, void* self) {
+  auto& me = from<Ida>(self);
+  return me.failure_.guard([&] { return me.evaluate_events(t, NV_DATA_S(y), g) ? 0 : -1; });
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 #include <idas/idas.h>
-#include <sundials/sundials_nvector.h>
 
 #include <yoke/integrators/formulations/ida_step_control.hpp>
 

@@ -12,9 +12,9 @@
 // does not grow again before order 2 has forgotten it.
 #pragma once
 
-#include <limits>
+#include <yoke/integrators/sundials/vector.hpp>
 
-struct _generic_N_Vector;
+#include <limits>
 
 namespace yoke {
 
@@ -23,13 +23,13 @@ class IdaStepControl {
   /// IDA begins anew.
   void start(void* ida);
   /// After a step that ended at `t`. Scratch is a vector like y.
-  void accept(void* ida, double t, _generic_N_Vector* weights, _generic_N_Vector* scratch);
+  void accept(void* ida, double t, N_Vector weights, N_Vector scratch);
   /// The next step is to end here at the latest [s].
   double limit() const { return limit_; }
 
  private:
   void allow_growth(void* ida, bool allowed);
-  void shorten(void* ida, double t, _generic_N_Vector* weights, _generic_N_Vector* scratch);
+  void shorten(void* ida, double t, N_Vector weights, N_Vector scratch);
 
   static constexpr double none = std::numeric_limits<double>::infinity();
   double limit_ = none;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 #include <kinsol/kinsol.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_linearsolver.h>
-#include <sundials/sundials_matrix.h>
 
-#include <yoke/integrators/sundials/callback_failure.hpp>
+#include <yoke/integrators/sundials/context.hpp>
+#include <yoke/integrators/sundials/linear_solver.hpp>
 #include <yoke/integrators/sundials/newton.hpp>
+#include <yoke/integrators/sundials/vector.hpp>
 
 namespace yoke {
 
@@ -15,61 +14,30 @@ namespace {
 constexpr int max_iterations = 100;
 constexpr double smallest_step = 1e-15;
 
-/// One call of KINSOL; SUNDIALS sees a matrix without data and a solver that is the caller's.
+/// One call of KINSOL, with the caller's linear solver.
 class Kinsol {
  public:
   Kinsol(const NonlinearProblem& problem, Eigen::VectorXd& x)
-      : problem_(problem), x_(x), in_(x), out_(x) {
-    SUNContext_Create(nullptr, &context_);
-    u_ = N_VNew_Serial(x.size(), context_);
-    scale_ = N_VClone(u_);
+      : problem_(problem),
+        x_(x),
+        in_(x),
+        out_(x),
+        context_(failure_),
+        u_(static_cast<int>(x.size()), context_),
+        scale_(static_cast<int>(x.size()), context_),
+        solver_(this, {.solve = &Kinsol::solve, .multiply = &Kinsol::multiply}, context_) {
     N_VConst(1.0, scale_);
-    matrix_ = SUNMatNewEmpty(context_);
-    matrix_->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
-    matrix_->ops->zero = [](SUNMatrix) { return 0; };
-    matrix_->ops->matvec = [](SUNMatrix m, N_Vector from, N_Vector to) {
-      auto& me = *static_cast<Kinsol*>(m->content);
-      me.load(from, me.in_);
-      me.problem_.multiply(me.in_, me.out_);
-      me.store(me.out_, to);
-      return 0;
-    };
-    matrix_->content = this;
-    solver_ = SUNLinSolNewEmpty(context_);
-    solver_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
-    solver_->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
-    solver_->ops->setup = [](SUNLinearSolver, SUNMatrix) { return 0; };
-    solver_->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector to, N_Vector b, sunrealtype) {
-      auto& me = *static_cast<Kinsol*>(s->content);
-      me.load(b, me.in_);
-      if (!me.problem_.solve(me.in_)) return 1;
-      me.store(me.in_, to);
-      return 0;
-    };
-    solver_->content = this;
     memory_ = KINCreate(context_);
-    KINSetErrHandlerFn(
-        memory_,
-        [](int code, const char*, const char*, char* message, void* self) {
-          static_cast<Kinsol*>(self)->failure_.report(code, message);
-        },
-        this);
+    context_.report_errors_of(SundialsPackage::kinsol, memory_);
     KINInit(memory_, &Kinsol::residual, u_);
     KINSetUserData(memory_, this);
     KINSetNumMaxIters(memory_, max_iterations);
     KINSetMaxSetupCalls(memory_, 1);  // a Jacobian for every iteration
     KINSetScaledStepTol(memory_, smallest_step);
-    KINSetLinearSolver(memory_, solver_, matrix_);
+    KINSetLinearSolver(memory_, solver_.solver(), solver_.matrix());
     KINSetJacFn(memory_, &Kinsol::jacobian);
   }
-  ~Kinsol() {
-    KINFree(&memory_);
-    SUNLinSolFreeEmpty(solver_);
-    SUNMatFreeEmpty(matrix_);
-    N_VDestroy(u_);
-    N_VDestroy(scale_);
-    SUNContext_Free(&context_);
-  }
+  ~Kinsol() { KINFree(&memory_); }
   Kinsol(const Kinsol&) = delete;
   Kinsol& operator=(const Kinsol&) = delete;
 
@@ -91,6 +59,19 @@ class Kinsol {
   static void store(const Eigen::VectorXd& from, N_Vector to) {
     Eigen::Map<Eigen::VectorXd>(NV_DATA_S(to), from.size()) = from;
   }
+  static int solve(void* self, N_Vector x, N_Vector b) {
+    auto& me = *static_cast<Kinsol*>(self);
+    load(b, me.in_);
+    if (!me.problem_.solve(me.in_)) return 1;
+    store(me.in_, x);
+    return 0;
+  }
+  static void multiply(void* self, N_Vector x, N_Vector product) {
+    auto& me = *static_cast<Kinsol*>(self);
+    load(x, me.in_);
+    me.problem_.multiply(me.in_, me.out_);
+    store(me.out_, product);
+  }
   static int residual(N_Vector u, N_Vector f, void* self) {
     auto& me = *static_cast<Kinsol*>(self);
     return me.failure_.guard([&] {
@@ -111,12 +92,11 @@ class Kinsol {
   const NonlinearProblem& problem_;
   Eigen::VectorXd& x_;
   Eigen::VectorXd in_, out_;
-  SUNContext context_ = nullptr;
-  void* memory_ = nullptr;
-  SUNMatrix matrix_ = nullptr;
-  SUNLinearSolver solver_ = nullptr;
-  N_Vector u_ = nullptr, scale_ = nullptr;
   CallbackFailure failure_;
+  SundialsContext context_;
+  SundialsVector u_, scale_;
+  OwnLinearSolver solver_;
+  void* memory_ = nullptr;
 };
 
 }  // namespace

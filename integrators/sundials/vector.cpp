@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <nvector/nvector_serial.h>
-
 #include <yoke/integrators/sundials/vector.hpp>
 
 #include <algorithm>

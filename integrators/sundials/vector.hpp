@@ -6,12 +6,26 @@
 // of the time of a step of IDA. Results agree with its own to rounding.
 #pragma once
 
-struct _generic_N_Vector;  // N_Vector and SUNContext point to these
-struct _SUNContext;
+#include <nvector/nvector_serial.h>
 
 namespace yoke {
 
 /// A vector of `size` zeros; free it with N_VDestroy. Its clones are of the same kind.
-_generic_N_Vector* new_vector(int size, _SUNContext* context);
+N_Vector new_vector(int size, SUNContext context);
+
+/// Owns such a vector.
+class SundialsVector {
+ public:
+  SundialsVector(int size, SUNContext context) : vector_(new_vector(size, context)) {}
+  ~SundialsVector() { N_VDestroy(vector_); }
+  SundialsVector(const SundialsVector&) = delete;
+  SundialsVector& operator=(const SundialsVector&) = delete;
+
+  operator N_Vector() const { return vector_; }
+  double* data() const { return NV_DATA_S(vector_); }
+
+ private:
+  N_Vector vector_;
+};
 
 }  // namespace yoke

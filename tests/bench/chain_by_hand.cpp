@@ -19,6 +19,7 @@
 #include <yoke/integrators/formulations/formulation.hpp>
 #include <yoke/integrators/run/start/error_weights.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/sundials/context.hpp>
 #include <yoke/integrators/sundials/vector.hpp>
 #include <yoke/tests/bench/chain.hpp>
 
@@ -142,8 +143,8 @@ struct Run {
 
 Run by_hand(ByHand& model, const State& start, double angle_weight, double rate_weight,
             bool vectors_of_yoke) {
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  CallbackFailure failure;
+  SundialsContext context(failure);
   N_Vector y = vectors_of_yoke ? new_vector(2 * links, context) : N_VNew_Serial(2 * links, context);
   N_Vector weights = N_VClone(y);
   for (int i = 0; i < links; ++i) {
@@ -174,7 +175,6 @@ Run by_hand(ByHand& model, const State& start, double angle_weight, double rate_
   SUNMatDestroy(matrix);
   N_VDestroy(y);
   N_VDestroy(weights);
-  SUNContext_Free(&context);
   return run;
 }
 

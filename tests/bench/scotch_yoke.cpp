@@ -15,6 +15,8 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include <yoke/integrators/sundials/compatibility.hpp>
+#include <yoke/integrators/sundials/context.hpp>
 #include <yoke/tests/bench/chain.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
@@ -81,8 +83,8 @@ double weight_of_velocity(double rtol) { return rtol * 0.047 / 0.0133; }
 
 double by_hand_arkode(double rtol, long& steps) {
   HandMade model;
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  CallbackFailure failure;
+  SundialsContext context(failure);
   N_Vector y = N_VNew_Serial(2, context), w = N_VClone(y);
   const auto y0 = HandMade::initial();
   NV_Ith_S(y, 0) = y0[0];
@@ -99,21 +101,21 @@ double by_hand_arkode(double rtol, long& steps) {
     return 0;
   };
   void* memory = ERKStepCreate(f, 0.0, y, context);
-  ERKStepSetUserData(memory, &model);
+  ARKodeSetUserData(memory, &model);
   ERKStepSetTableNum(memory, ARKODE_DORMAND_PRINCE_7_4_5);
-  ERKStepSVtolerances(memory, 0.0, w);
-  ERKStepSetMaxNumSteps(memory, -1);
-  ERKStepRootInit(memory, 1, root);
+  ARKodeSVtolerances(memory, 0.0, w);
+  ARKodeSetMaxNumSteps(memory, -1);
+  ARKodeRootInit(memory, 1, root);
   int upwards = 1;
-  ERKStepSetRootDirection(memory, &upwards);
+  ARKodeSetRootDirection(memory, &upwards);
   const auto begin = Clock::now();
   double t = 0.0;
   long before = 0, now = 0;
   while (t < HandMade::end()) {
-    ERKStepSetStopTime(memory, HandMade::end());
-    const int flag = ERKStepEvolve(memory, HandMade::end(), y, &t, ARK_NORMAL);
+    ARKodeSetStopTime(memory, HandMade::end());
+    const int flag = ARKodeEvolve(memory, HandMade::end(), y, &t, ARK_NORMAL);
     if (flag < 0) break;
-    ERKStepGetNumSteps(memory, &now);
+    ARKodeGetNumSteps(memory, &now);
     if (flag != ARK_ROOT_RETURN) break;
     before += now;
     model.switch_contact(t, NV_Ith_S(y, 0), NV_Ith_S(y, 1));
@@ -122,17 +124,16 @@ double by_hand_arkode(double rtol, long& steps) {
   }
   const double seconds = seconds_since(begin);
   steps = before + now;
-  ERKStepFree(&memory);
+  ARKodeFree(&memory);
   N_VDestroy(y);
   N_VDestroy(w);
-  SUNContext_Free(&context);
   return seconds;
 }
 
 double by_hand_ida(double rtol, long& steps) {
   HandMade model;
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  CallbackFailure failure;
+  SundialsContext context(failure);
   N_Vector y = N_VNew_Serial(2, context), dy = N_VClone(y), w = N_VClone(y);
   const auto y0 = HandMade::initial();
   NV_Ith_S(y, 0) = y0[0];
@@ -207,7 +208,6 @@ double by_hand_ida(double rtol, long& steps) {
   SUNLinSolFree(solver);
   SUNMatDestroy(matrix);
   for (N_Vector vector : {y, dy, w}) N_VDestroy(vector);
-  SUNContext_Free(&context);
   return seconds;
 }
 

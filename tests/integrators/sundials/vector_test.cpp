@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <nvector/nvector_serial.h>
 
+#include <yoke/integrators/sundials/context.hpp>
 #include <yoke/integrators/sundials/vector.hpp>
 
 #include <cmath>
@@ -38,8 +39,8 @@ struct Pair {
 }  // namespace
 
 TEST_CASE("vectors for SUNDIALS: our loops do what its own do, in place too") {
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  CallbackFailure failure;
+  SundialsContext context(failure);
   constexpr double rounding = 2e-15;
   for (const int size : {1, 3, 4, 7, 127, 128, 129, 1000}) {
     CAPTURE(size);
@@ -72,5 +73,4 @@ TEST_CASE("vectors for SUNDIALS: our loops do what its own do, in place too") {
     CHECK((clone->ops->nvlinearsum != a.theirs->ops->nvlinearsum));
     N_VDestroy(clone);
   }
-  SUNContext_Free(&context);
 }
