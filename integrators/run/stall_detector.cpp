@@ -37,7 +37,7 @@ bool Standstill::chatters(double t, double duration) {
 }
 
 void Standstill::note_step(double step) {
-  std::ranges::rotate(last_steps_, last_steps_.begin() + 1);
+  std::rotate(last_steps_.begin(), last_steps_.begin() + 1, last_steps_.end());
   last_steps_.back() = step;
 }
 

@@ -29,7 +29,7 @@ class SundialsContext {
  private:
   CallbackFailure& failure_;
   SUNContext context_ = nullptr;
-  void* logger_ = nullptr;
+  [[maybe_unused]] void* logger_ = nullptr;  // of 7.x
 };
 
 }  // namespace yoke
