@@ -36,7 +36,7 @@ Model in_oil(double damping) {
   return m;
 }
 
-const Agreement& quantity(const Verification& v, const std::string& column) {
+Agreement quantity(const Verification& v, const std::string& column) {
   const auto found = std::ranges::find(v.quantities, column, &Agreement::column);
   REQUIRE(found != v.quantities.end());
   return *found;
@@ -86,7 +86,7 @@ TEST_CASE("a second formulation tells how many digits of a result are right") {
     CHECK(v.relative_tolerance == doctest::Approx(1e-2 * rtol));
     REQUIRE(v.summary.ok());
     // The angle in the end is known: the error bar must cover the error and not be far from it.
-    const Agreement& angle = quantity(v, "b.angle_rad");
+    const Agreement angle = quantity(v, "b.angle_rad");
     const double error = std::abs(run.final.q[5] + 2.3851873498861929707);
     CHECK(error < 1.1 * angle.difference);
     CHECK(angle.digits > -std::log10(rtol) - 2.5);
