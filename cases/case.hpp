@@ -1,75 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What a case is: a mechanism with named parameters and a job that runs it. A new case is one file
-// with a function that returns its Case, and one line in registry.cpp.
+// A case: a mechanism with named parameters and, where it has contacts, a choice of contact laws.
+// The jobs (cases/jobs/) run any case; a case only says what it is. A new case is one file with a
+// function that returns its Case, and two lines in registry.cpp.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <yoke/cases/parameters.hpp>
+#include <yoke/cases/choices/contact_choice.hpp>
+#include <yoke/cases/choices/parameters.hpp>
 #include <yoke/core/model.hpp>
-#include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
 
-/// What the user asked for on the command line.
-struct RunRequest {
-  Parameters parameters;
-  std::vector<std::string> laws;      // chosen by name; empty: all of the case
-  std::filesystem::path output;       // folder for the results
-  int samples = 4001;                 // rows of motion.csv, uniform in time, both ends
-  double relative_tolerance = 1e-10;  // impacts amplify errors
-  std::string formulation;
-  bool plots = true;
-  int jobs = 1;                             // runs at a time
-  bool verify = false;                      // run again by another formulation and compare
-  std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
-  double checkpoint_every = 0.0;            // [s] simulated time; 0: none by time
-  long checkpoint_events = 0;               // 0: none at events
-  bool resume = false;                      // go on from the checkpoints in `output`
-};
-
-/// What simulate() is to be told for one run of a request that writes into `folder`.
-SimulationOptions simulation_options(const RunRequest& request, double until, int samples,
-                                     const std::filesystem::path& folder);
-
-/// How a job ended.
-enum class RunStatus { completed, failed, interrupted };
-
-struct LawNote {
-  std::string name;
-  std::string description;
+/// A column of motion.csv, made from a column of the engine's samples: value + shift.
+struct MotionColumn {
+  std::string name;    // "slider_x"; the column is called slider_x_m
+  std::string unit;    // "m", or "" for none
+  std::string source;  // "slider.x_m"
+  double shift = 0.0;  // in the unit of the column
 };
 
 struct Case {
   std::string name;
   std::string description;  // one line
-  std::vector<CaseParameter> parameters;
-  std::vector<LawNote> laws;  // contact laws the job runs; may be empty
-  std::filesystem::path default_output;
+  std::vector<CaseParameter> parameters{};
+  ContactChoice contact{};  // empty: no contact, or laws that cannot be chosen
+  std::filesystem::path default_output{};
 
-  /// The mechanism, with one of the laws.
-  std::function<Model(const Parameters&, std::string_view law)> model;
-  /// Runs the job, writes the results and prints a table of them.
-  std::function<RunStatus(const RunRequest&)> run;
-  /// Optional: tests what is claimed about the mechanism and prints a Markdown document.
-  std::function<RunStatus(const RunRequest&)> study{};
+  /// The mechanism. `laws` holds one law for each wall of `contact`. Throws ModelError.
+  std::function<Model(const Parameters&, const WallLaws& laws)> model{};
+  /// [s] How long a run lasts. Throws ModelError for parameters that contradict each other.
+  std::function<double(const Parameters&)> duration{};
+
+  /// Optional: the columns of motion.csv under the case's own names, in place of all columns of the
+  /// engine.
+  std::function<std::vector<MotionColumn>(const Parameters&, const Model&)> columns{};
+  /// Optional: rows recorded of a run with contacts, at least. They are many more than are written
+  /// to motion.csv, because an impact is short and its peak and its loop are to be seen whole.
+  std::function<double(const Parameters&)> recorded_rows{};
 };
 
-/// All cases. Adding one is a line in registry.cpp.
+/// All cases. Adding one is two lines in registry.cpp.
 const std::vector<Case>& case_registry();
 
 /// Throws ModelError that lists the cases.
 const Case& find_case(std::string_view name);
 
-/// The names among `laws`, in the order of the case and without repetition; all if `laws` is empty.
-/// Throws ModelError for a name the case does not know.
+/// The laws of a case to run: `laws` in the order of the case, those of the catalogue after them,
+/// none twice; all named laws of the case if `laws` is empty. Throws ModelError for a law that
+/// neither the case nor the catalogue knows.
 std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws);
+
+/// The mechanism under one law: a name or specification (see contact_choice.hpp), "" for the base
+/// law of the case. Throws ModelError.
+Model make_model(const Case& c, const Parameters& parameters, std::string_view law = "");
+
+/// A case whose only parameter is the duration of the run, in seconds.
+Case case_without_choices(std::string name, std::string description, Model (*model)(),
+                          std::string duration);
 
 }  // namespace yoke::cases

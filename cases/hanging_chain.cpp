@@ -4,7 +4,7 @@
 // A chain of uniform links that hangs from a pivot; one link is the pendulum.
 #include <string>
 
-#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/cases/case.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/forces/torsional_spring.hpp>
 #include <yoke/joints/revolute.hpp>
@@ -65,10 +65,9 @@ Case hanging_chain_case() {
                           .low = 0.0,
                           .high = 1e6,
                           .description = "of every joint, in N m s/rad"}},
-          .laws = {},
           .default_output = "results/hanging_chain",
-          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
-          .run = [](const RunRequest& r) { return run_model(model_of(r.parameters), 5.0, r); }};
+          .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
+          .duration = [](const Parameters&) { return 5.0; }};
 }
 
 }  // namespace yoke::cases

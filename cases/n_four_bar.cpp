@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/cases/n_four_bar.hpp>
 
-#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/cases/case.hpp>
 
 namespace yoke::cases {
 
@@ -28,13 +28,9 @@ Case n_four_bar_case() {
                           .low = 1e-3,
                           .high = 1000.0,
                           .description = "of the run, in seconds"}},
-          .laws = {},
           .default_output = "results/n_four_bar",
-          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
-          .run =
-              [](const RunRequest& r) {
-                return run_model(model_of(r.parameters), r.parameters.number("duration"), r);
-              }};
+          .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
+          .duration = [](const Parameters& p) { return p.number("duration"); }};
 }
 
 }  // namespace yoke::cases

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // A coupler on parallel cranks, more of them than it needs: an over-closed mechanism to look at.
-#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/cases/case.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
 
@@ -48,10 +48,9 @@ Case parallelogram_case() {
                           .high = 50.0,
                           .whole = true,
                           .description = "parallel cranks; two are enough"}},
-          .laws = {},
           .default_output = "results/parallelogram",
-          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
-          .run = [](const RunRequest& r) { return run_model(model_of(r.parameters), 2.0, r); }};
+          .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
+          .duration = [](const Parameters&) { return 2.0; }};
 }
 
 }  // namespace yoke::cases

@@ -2,15 +2,14 @@
 // Copyright 2026 the Yoke authors
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <utility>
 
 #include <yoke/cases/case.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke::cases {
 
-// One function per case, defined in the file of its name or, for the last four, in
-// benchmark_cases.cpp.
+// One function per case, defined in the file of the mechanism.
 Case scotch_yoke_case();
 Case n_four_bar_case();
 Case parallelogram_case();
@@ -42,18 +41,30 @@ const Case& find_case(std::string_view name) {
 }
 
 std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws) {
-  std::vector<std::string> known, chosen;
-  for (const LawNote& note : c.laws) known.push_back(note.name);
-  if (known.empty() && !laws.empty())
+  if (c.contact.laws.empty() && !laws.empty())
     throw ModelError(fmt::format("--law {}: case '{}' has no contact laws to choose from",
                                  laws.front(), c.name));
-  for (const std::string& law : laws)
-    if (std::ranges::find(known, law) == known.end())
-      throw ModelError(fmt::format("unknown law '{}'{}", law, suggestion(law, known)));
-  std::ranges::copy_if(known, std::back_inserter(chosen), [&](const std::string& law) {
-    return laws.empty() || std::ranges::find(laws, law) != laws.end();
-  });
-  return chosen;
+  return choose_laws(c.contact, laws);
+}
+
+Model make_model(const Case& c, const Parameters& parameters, std::string_view law) {
+  return c.model(parameters, make_laws(c.contact, parameters, law));
+}
+
+Case case_without_choices(std::string name, std::string description, Model (*model)(),
+                          std::string duration) {
+  const std::string folder = "results/" + name;
+  return {.name = std::move(name),
+          .description = std::move(description),
+          .parameters = {{.name = "duration",
+                          .quantity = Quantity::number,
+                          .default_text = std::move(duration),
+                          .low = 1e-3,
+                          .high = 10000.0,
+                          .description = "of the run, in seconds"}},
+          .default_output = folder,
+          .model = [model](const Parameters&, const WallLaws&) { return model(); },
+          .duration = [](const Parameters& p) { return p.number("duration"); }};
 }
 
 }  // namespace yoke::cases

@@ -31,9 +31,9 @@
 // reactions.
 #include <yoke/cases/scotch_yoke.hpp>
 
+#include <algorithm>
 #include <cmath>
 
-#include <yoke/cases/paper/scotch_yoke_job.hpp>
 #include <yoke/contact/geometry/arc_slot.hpp>
 #include <yoke/contact/laws/catalog/table11.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
@@ -123,51 +123,66 @@ double arc_centre_offset(const Model& model, const ScotchYoke& choices) {
 
 namespace {
 
+constexpr double printed_length = 1.0_mm;  // Table 11 is a force per millimetre
 constexpr std::string_view ten_mm = "-10mm";
 
-const std::vector<LawNote>& law_notes() {
-  static const std::vector<LawNote> notes = {
-      {"table11-lankarani-nikravesh", "Table 11 as printed, Lankarani and Nikravesh: n = 1.5"},
-      {"table11-radzimovsky", "Table 11 as printed, fit of Radzimovsky's law"},
-      {"table11-johnson", "Table 11 as printed, fit of Johnson's law"},
-      {"table11-goldsmith", "Table 11 as printed, fit of Goldsmith's law"},
-      {"table11-esdu-78035", "Table 11 as printed, fit of ESDU 78035"},
-      {"johnson", "Johnson's law itself, L = contact_length (as_printed: 1 mm)"},
-      {"table11-johnson-10mm",
-       "Table 11's fit of Johnson's law, K times 10 whatever contact_length"},
-      {"johnson-10mm", "Johnson's law itself, L = 10 mm, the pin's real length"},
+/// The slot's walls and caps as the pin meets them.
+std::vector<Wall> walls_of(const ScotchYoke& choices) {
+  const double length = choices.contact_length > 0.0 ? choices.contact_length : printed_length;
+  const auto wall = [&](const char* name, double radius, Conformity conformity) {
+    return Wall{.name = name,
+                .pair = {.pin_radius = pin_radius, .wall_radius = radius, .conformity = conformity},
+                .length = length};
   };
-  return notes;
+  return {wall("inner", arc_radius - half_width, Conformity::external),
+          wall("outer", arc_radius + half_width, Conformity::internal),
+          wall("cap", half_width, Conformity::internal)};
 }
 
-SlotLaws johnson_laws(double length, const HuntCrossley& damping) {
-  const auto wall = [&](double radius, Conformity conformity) {
-    const RoundPair pair{.pin_radius = pin_radius, .wall_radius = radius, .conformity = conformity};
-    return ContactLaw{johnson(pair, length), damping};
-  };
-  return {wall(arc_radius - half_width, Conformity::external),
-          wall(arc_radius + half_width, Conformity::internal),
-          wall(half_width, Conformity::internal)};
+/// A law of the case by its name, for any of the walls.
+ContactLaw named_law(const ScotchYoke& choices, const Wall& wall, std::string_view name) {
+  const HuntCrossley damping{choices.alpha};
+  double length = wall.length;
+  if (name.ends_with(ten_mm)) {
+    name.remove_suffix(ten_mm.size());
+    length = 10.0_mm;
+  }
+  if (name == "johnson") return {johnson(wall.pair, length), damping};
+  const Table11 k = table11(name, length / printed_length);
+  return {wall.name == "inner" ? k.inner : wall.name == "outer" ? k.outer : k.cap, damping};
 }
 
-SlotLaws table11_laws(std::string_view column, double length, const HuntCrossley& damping) {
-  const Table11 k = table11(column, length / 1.0_mm);  // Table 11 is a force per millimetre
-  return {{k.inner, damping}, {k.outer, damping}, {k.cap, damping}};
+ContactChoice contact_choice() {
+  ContactChoice contact{.walls = [](const Parameters& p) { return walls_of(ScotchYoke(p)); },
+                        .base = "johnson"};
+  for (const auto& [name, description] : {
+           std::pair{"table11-lankarani-nikravesh",
+                     "Table 11 as printed, Lankarani and Nikravesh: n = 1.5"},
+           {"table11-radzimovsky", "Table 11 as printed, fit of Radzimovsky's law"},
+           {"table11-johnson", "Table 11 as printed, fit of Johnson's law"},
+           {"table11-goldsmith", "Table 11 as printed, fit of Goldsmith's law"},
+           {"table11-esdu-78035", "Table 11 as printed, fit of ESDU 78035"},
+           {"johnson", "Johnson's law itself, L = contact_length (as_printed: 1 mm)"},
+           {"table11-johnson-10mm",
+            "Table 11's fit of Johnson's law, K times 10 whatever contact_length"},
+           {"johnson-10mm", "Johnson's law itself, L = 10 mm, the pin's real length"},
+       })
+    contact.laws.push_back({name, description, [name](const Parameters& p, const Wall& wall) {
+                              return named_law(ScotchYoke(p), wall, name);
+                            }});
+  return contact;
+}
+
+SlotLaws slot_laws(const ScotchYoke& choices, const WallLaws& laws) {
+  return {laws[choices.one_wall_law ? "outer" : "inner"], laws["outer"], laws["cap"]};
 }
 
 }  // namespace
 
-SlotLaws scotch_yoke_laws(const ScotchYoke& choices, std::string_view law) {
-  const HuntCrossley damping{choices.alpha};
-  double length = choices.contact_length > 0.0 ? choices.contact_length : 1.0_mm;
-  if (law.ends_with(ten_mm)) {
-    law.remove_suffix(ten_mm.size());
-    length = 10.0_mm;
-  }
-  SlotLaws laws =
-      law == "johnson" ? johnson_laws(length, damping) : table11_laws(law, length, damping);
-  if (choices.one_wall_law) laws.inner = laws.outer;
-  return laws;
+SlotLaws scotch_yoke_laws(const ScotchYoke& choices, std::string_view name) {
+  WallLaws laws;
+  for (const Wall& wall : walls_of(choices)) laws.set(wall.name, named_law(choices, wall, name));
+  return slot_laws(choices, laws);
 }
 
 // ---- parameters ----
@@ -263,19 +278,63 @@ double ScotchYoke::last_revolution_start() const {
   return std::max(0.0, end_time() - 2.0 * pi / speed);
 }
 
+// ---- results ----
+
+namespace {
+
+/// motion.csv in the words of the paper: angles also from the start, slider_x at the centre of the
+/// slot's arc.
+std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model& model) {
+  std::vector<MotionColumn> columns = {
+      {"t", "s", "t_s"},
+      {"crank_angle", "rad", "crank.angle_rad"},
+      {"crank_angle_relative", "rad", "crank.angle_rad", -choices.start_angle},
+      {"crank_speed", "rad_per_s", "crank.omega_rad_per_s"},
+      {"slider_x", "m", "slider.x_m", arc_centre_offset(model, choices)},
+      {"slider_v", "m_per_s", "slider.vx_m_per_s"},
+      {"slider_a", "m_per_s2", "slider.ax_m_per_s2"},
+      {"penetration", "m", "slot.penetration_m"},
+      {"penetration_rate", "m_per_s", "slot.penetration_rate_m_per_s"},
+      {"normal_force", "N", "slot.normal_force_N"},
+      {"region", "", "slot.region"},
+      {"pivot_fx", "N", "pivot.fx_N"},
+      {"pivot_fy", "N", "pivot.fy_N"},
+      {"guide_fy", "N", "guide.fy_N"},
+      {"guide_moment", "N_m", "guide.moment_N_m"},
+      {"motor_torque", "N_m", "motor.moment_N_m"},
+  };
+  if (choices.rolling)
+    columns.insert(columns.end(), {{"pin_joint_fx", "N", "pin_joint.fx_N"},
+                                   {"pin_joint_fy", "N", "pin_joint.fy_N"},
+                                   {"pin_speed", "rad_per_s", "pin.omega_rad_per_s"}});
+  for (const char* energy : {"kinetic", "stored", "dissipated", "work", "balance"})
+    columns.push_back({energy, "J", std::string(energy) + "_J"});
+  return columns;
+}
+
+}  // namespace
+
 Case scotch_yoke_case() {
   return {.name = "scotch_yoke",
           .description = "scotch-yoke with a circular slot and clearance, under many contact laws",
           .parameters = parameters(),
-          .laws = law_notes(),
+          .contact = contact_choice(),
           .default_output = "results/scotch_yoke",
           .model =
-              [](const Parameters& p, std::string_view law) {
+              [](const Parameters& p, const WallLaws& laws) {
                 const ScotchYoke choices(p);
-                return scotch_yoke(choices, scotch_yoke_laws(choices, law));
+                return scotch_yoke(choices, slot_laws(choices, laws));
               },
-          .run = run_scotch_yoke,
-          .study = study_scotch_yoke};
+          .duration = [](const Parameters& p) { return ScotchYoke(p).end_time(); },
+          .columns =
+              [](const Parameters& p, const Model& model) {
+                return motion_columns(ScotchYoke(p), model);
+              },
+          // 50 or more in the shortest impact; long runs less densely, to bound the memory.
+          .recorded_rows =
+              [](const Parameters& p) {
+                return std::min(20000.0 * ScotchYoke(p).revolutions, 80000.0);
+              }};
 }
 
 }  // namespace yoke::cases

@@ -54,8 +54,8 @@ struct ScotchYoke {
   double last_revolution_start() const;  ///< [s]
 };
 
-/// The laws of the case by name. Throws ModelError.
-SlotLaws scotch_yoke_laws(const ScotchYoke& choices, std::string_view law);
+/// The laws of the case by name, for the walls of the slot. Throws ModelError.
+SlotLaws scotch_yoke_laws(const ScotchYoke& choices, std::string_view name);
 
 /// The mechanism: bodies crank, slider (and pin if rolling); elements pivot, motor, guide, slot.
 Model scotch_yoke(const ScotchYoke& choices, const SlotLaws& laws);

@@ -1,17 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// An ideal slider-crank driven at constant speed: something to try the analyses on.
+// The case is the ideal slider-crank, driven at constant speed; the others are benchmarks.
+#include <yoke/cases/slider_crank.hpp>
+
 #include <cmath>
 
-#include <yoke/cases/jobs/model_job.hpp>
+#include <yoke/cases/case.hpp>
+#include <yoke/core/units.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
+#include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 
 namespace yoke::cases {
 
 namespace {
+
+using namespace yoke::literals;
+
+const Vec2 origin{0.0, 0.0};
+
+struct Link {
+  double length, mass, inertia;
+};
+
+/// All links along x, the crank turning at `omega`, the slider at rest.
+Model slider_crank(const Link& crank, const Link& rod, const Link& slider, double omega) {
+  Model m;
+  const double l1 = crank.length, l2 = rod.length, end = l1 + l2;
+  const BodyId first = m.add(Body{.name = "crank",
+                                  .mass = crank.mass,
+                                  .inertia = crank.inertia,
+                                  .pose = {{0.5 * l1, 0.0}, 0.0},
+                                  .twist = {{0.0, 0.5 * omega * l1}, omega}});
+  const BodyId second = m.add(Body{.name = "rod",
+                                   .mass = rod.mass,
+                                   .inertia = rod.inertia,
+                                   .pose = {{l1 + 0.5 * l2, 0.0}, 0.0},
+                                   .twist = {{0.0, 0.5 * omega * l1}, -omega * l1 / l2}});
+  const BodyId third = m.add(Body{
+      .name = "slider", .mass = slider.mass, .inertia = slider.inertia, .pose = {{end, 0.0}, 0.0}});
+  m.add(Revolute{.name = "pivot", .a = ground, .b = first, .at = origin});
+  m.add(Revolute{.name = "crank pin", .a = first, .b = second, .at = {l1, 0.0}});
+  m.add(Revolute{.name = "slider pin", .a = second, .b = third, .at = {end, 0.0}});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = third, .along = {1.0, 0.0}});
+  return m;
+}
 
 Model model_of(const Parameters& p) {
   const double r = p.number("crank"), l = p.number("rod"), omega = p.number("speed") * pi / 30.0;
@@ -42,6 +80,47 @@ Model model_of(const Parameters& p) {
 
 }  // namespace
 
+Model free_slider_crank() {
+  Model m =
+      slider_crank({0.153, 0.038, 7.4e-5}, {0.306, 0.038, 5.9e-4}, {0.0, 0.076, 2.7e-6}, 150.0);
+  m.add(Gravity{});
+  return m;
+}
+
+Model driven_slider_crank() {
+  const double omega = 5000.0_rpm;
+  Model m = slider_crank({0.05, 0.30, 1e-5}, {0.12, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega);
+  m.add(AngleDriver{
+      .name = "motor", .body = m.find_body("crank"), .angle = constant_speed(0.0, omega)});
+  return m;
+}
+
+Model sprung_slider_crank() {
+  const double a = 0.5, q = pi / 2.0, p = std::asin(-a);
+  const Vec2 pin(std::cos(p), 0.0), tip(0.0, a), half = rotate(p, {0.5, 0.0});
+  Model m;
+  const BodyId crank =
+      m.add(Body{.name = "crank", .mass = 1.0, .inertia = 1.0, .pose = {origin, q}});
+  const BodyId rod_ = m.add(Body{.name = "rod", .mass = 1.0, .inertia = 2.0, .pose = {pin, p}});
+  m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = origin});
+  m.add(Revolute{.name = "crank pin", .a = crank, .b = rod_, .at = tip});
+  m.add(PointOnLine{
+      .name = "slot", .a = rod_, .at = pin, .b = ground, .through = origin, .along = {1.0, 0.0}});
+  m.add(TranslationalSpring{.name = "spring",
+                            .a = crank,
+                            .b = rod_,
+                            .at_a = 0.5 * tip,
+                            .at_b = pin - half,
+                            .stiffness = 1.0,
+                            .damping = 1.0,
+                            .free_length = 1.0});
+  // Its work is F d(x + cos p): it acts as far beyond the slider as the crank's pin is before it.
+  m.add(AppliedForce{.name = "push", .body = rod_, .at = pin + 2.0 * half, .force = [](double) {
+                       return Vec2(1.0, 0.0);
+                     }});
+  return m;
+}
+
 Case slider_crank_case() {
   return {.name = "slider_crank",
           .description = "an ideal slider-crank, driven at constant speed",
@@ -63,13 +142,9 @@ Case slider_crank_case() {
                           .low = 1e-3,
                           .high = 1e5,
                           .description = "of the crank, in revolutions per minute"}},
-          .laws = {},
           .default_output = "results/slider_crank",
-          .model = [](const Parameters& p, std::string_view) { return model_of(p); },
-          .run =
-              [](const RunRequest& r) {
-                return run_model(model_of(r.parameters), 120.0 / r.parameters.number("speed"), r);
-              }};
+          .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
+          .duration = [](const Parameters& p) { return 120.0 / p.number("speed"); }};
 }
 
 }  // namespace yoke::cases

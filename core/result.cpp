@@ -126,6 +126,17 @@ Eigen::VectorXd Table::operator[](std::string_view name) const {
   return values;
 }
 
+Table Table::every(std::size_t n) const {
+  Table thinned;
+  thinned.names_ = names_;
+  thinned.labels_ = labels_;
+  thinned.reserve(rows_ / n + 1);
+  for (std::size_t i = 0; i < rows_; i += n)
+    std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(i * names_.size()), names_.size(),
+                thinned.append());
+  return thinned;
+}
+
 std::string Table::text(std::size_t row, std::size_t column) const {
   const double x = value(row, column);
   if (labels_[column].empty()) return fmt::format("{:.17g}", x);

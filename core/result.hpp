@@ -37,6 +37,10 @@ class Table {
     return data_[row * names_.size() + column];
   }
   std::size_t index(std::string_view name) const;
+  /// Labels of a column, empty if it holds numbers.
+  const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
+  /// A table of the same columns with rows 0, n, 2 n, ...; n >= 1.
+  Table every(std::size_t n) const;
   /// Text of a labelled cell, the number with 17 significant digits otherwise.
   std::string text(std::size_t row, std::size_t column) const;
 

@@ -9,8 +9,7 @@
 #include <memory>
 #include <utility>
 
-#include <yoke/cases/program/law_options.hpp>
-#include <yoke/cases/quantity.hpp>
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/contact/contact_element.hpp>
 #include <yoke/contact/geometry/arc_slot.hpp>
 #include <yoke/contact/pin_in_slot.hpp>

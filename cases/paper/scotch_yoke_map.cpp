@@ -44,7 +44,7 @@ void calc_map(const Study& s, std::vector<MapPoint>& points) {
     for (const std::string& name : names) {
       if (interrupted()) return;
       const LawRun run =
-          run_law(request, choices, name, [](const Progress&) { return !interrupted(); });
+          run_law(find_case("scotch_yoke"), request, name, [](const Progress&) { return !interrupted(); });
       p.columns.push_back(run.summary.ok()
                               ? separations(flights_by_angle(choices, run), 120.0, 300.0)
                               : Separations{-1, 0.0});

@@ -64,12 +64,12 @@ namespace {
 // ---- what is measured of a run ----
 
 Revolution last_revolution(const ScotchYoke& choices, const LawRun& run) {
-  const Column t = run.history["t_s"];
+  const Column t = run.motion()["t_s"];
   const auto first =
       std::lower_bound(t.begin(), t.end(), choices.last_revolution_start() * (1 - 1e-12)) -
       t.begin();
   const auto tail = [&](const char* name) -> Column {
-    return run.history[name].tail(t.size() - first);
+    return run.motion()[name].tail(t.size() - first);
   };
   Revolution r{.law = run.law,
                .angle = tail("t_s"),
@@ -85,11 +85,10 @@ Revolution last_revolution(const ScotchYoke& choices, const LawRun& run) {
 
 /// Runs all laws with some settings on top of the user's. Interrupted: what is missing is empty.
 std::vector<LawRun> run_laws(const RunRequest& request, const Texts& laws) {
-  const ScotchYoke choices(request.parameters);
   std::vector<LawRun> runs(laws.size());
   ProgressLine progress(laws);
   run_parallel(laws.size(), request.jobs, [&](std::size_t i) {
-    if (!interrupted()) runs[i] = run_law(request, choices, laws[i], progress.observer(i));
+    if (!interrupted()) runs[i] = run_law(find_case("scotch_yoke"), request, laws[i], progress.observer(i));
   });
   return runs;
 }
@@ -153,9 +152,9 @@ void print_runs(Study& s) {
     const auto onsets = std::ranges::count_if(run.events, [&](const EventRecord& e) {
       return e.kind == "onset" && e.t >= s.choices.last_revolution_start();
     });
-    s.doc.row({run.law, fmt::format("{:.0f}", run.peak_force),
-               fmt::format("{:.1f}", 1e6 * run.largest_penetration),
-               fmt::format("{}", run.contacts), fmt::format("{}", onsets),
+    s.doc.row({run.law, fmt::format("{:.0f}", run.peak_force()),
+               fmt::format("{:.1f}", 1e6 * run.largest_penetration()),
+               fmt::format("{}", run.onsets()), fmt::format("{}", onsets),
                fmt::format("{:.1e}", run.summary.energy_balance)});
   }
   s.doc.print(
@@ -223,7 +222,7 @@ void print_start_angles(Study& s) {
     RunRequest request = with(s.request, {{"start_angle", start}});
     request.samples = 0;
     const ScotchYoke choices(request.parameters);
-    const auto all = flights_by_angle(choices, run_law(request, choices, "table11-johnson", {}));
+    const auto all = flights_by_angle(choices, run_law(find_case("scotch_yoke"), request, "table11-johnson", {}));
     s.doc.row({start, angles(crossing(all, 0)), angles(crossing(all, 1))});
   }
 }
@@ -488,8 +487,8 @@ void print_johnson(Study& s) {
                                 100.0 * (f.response(j.penetration_at(load)).force / load - 1.0)));
     const LawRun &a = *std::ranges::find(s.runs, fit, &LawRun::law),
                  &b = *std::ranges::find(s.runs, law, &LawRun::law);
-    row.push_back(fmt::format("{:.0f}, {:.0f}", a.peak_force, b.peak_force));
-    row.push_back(fmt::format("{}, {}", a.contacts, b.contacts));
+    row.push_back(fmt::format("{:.0f}, {:.0f}", a.peak_force(), b.peak_force()));
+    row.push_back(fmt::format("{}, {}", a.onsets(), b.onsets()));
     s.doc.row(row);
   }
 }
@@ -517,7 +516,7 @@ void print_choices(Study& s) {
     if (interrupted()) return;
     const RunRequest request = name.empty() ? s.request : with(s.request, {{name, value}});
     const ScotchYoke choices(request.parameters);
-    const LawRun run = run_law(request, choices, "table11-johnson", {});
+    const LawRun run = run_law(find_case("scotch_yoke"), request, "table11-johnson", {});
     if (!run.summary.ok()) continue;
     const Revolution r = last_revolution(choices, run);
     s.doc.row({name.empty() ? "nothing" : fmt::format("{}={}", name, value),

@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include <yoke/cases/jobs/law_run.hpp>
 #include <yoke/cases/jobs/markdown.hpp>
-#include <yoke/cases/paper/scotch_yoke_job.hpp>
+#include <yoke/cases/scotch_yoke.hpp>
 #include <yoke/contact/laws/catalog/table11.hpp>
 
 namespace yoke::cases {
@@ -53,6 +54,9 @@ struct Separations {
 
 /// Between two angles [deg].
 Separations separations(const std::vector<Flight>& all, double from, double to);
+
+/// Tests what section 4 of the paper says in words; prints Markdown.
+RunStatus study_scotch_yoke(const RunRequest& request);
 
 /// The map of separations over damping, stiffness, crank length and start.
 void print_map(Study& s);

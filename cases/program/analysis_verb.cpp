@@ -35,8 +35,8 @@ void add_analysis_verb(
       const Case& c = find_case(options->request.case_name);
       RunRequest request = make_request(c, options->request);
       if (options->request.output.empty()) request.output = "results/" + c.name + "-" + suffix;
-      return analyse(c.model(request.parameters, request.laws.empty() ? "" : request.laws.front()),
-                     request, *options);
+      const std::string law = options->request.laws.empty() ? "" : request.laws.front();
+      return analyse(make_model(c, request.parameters, law), request, *options);
     };
   });
 }

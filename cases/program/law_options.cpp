@@ -5,42 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
-#include <yoke/cases/quantity.hpp>
+#include <yoke/cases/choices/material.hpp>
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke::cases {
 
 namespace {
-
-struct Number {
-  double value;
-  std::string_view rest;
-};
-
-Number parse_number(std::string_view owner, std::string_view text) {
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !std::isfinite(value))
-    throw ModelError(fmt::format("{}: '{}' does not start with a finite number", owner, text));
-  std::string_view unit = text.substr(static_cast<std::size_t>(rest - text.data()));
-  while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
-  return {value, unit};
-}
-
-double parse_modulus(std::string_view text) {
-  const Number number = parse_number("E", text);
-  if (number.rest == "Pa" || number.rest.empty()) return number.value;
-  if (number.rest == "kPa") return number.value * 1e3;
-  if (number.rest == "MPa" || number.rest == "N/mm2") return number.value * 1e6;
-  if (number.rest == "GPa") return number.value * 1e9;
-  throw ModelError(
-      fmt::format("E: '{}' has the unit '{}'; accepted: Pa, kPa, MPa, GPa", text, number.rest));
-}
 
 std::optional<double> length_of(std::string_view owner, const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -70,49 +44,6 @@ void add_elastic_options(CLI::App& verb, ElasticOptions& o) {
   verb.add_option("--length", o.length, "Of the line of contact")->type_name("LENGTH");
   CLI::Option* internal = verb.add_flag("--internal", o.internal, "Pin in a bore (default)");
   verb.add_flag("--external", o.external, "Pin on a convex wall")->excludes(internal);
-}
-
-Material parse_material(std::string_view text) {
-  if (text == "steel") return steel;
-  if (text == "aluminium") return aluminium;
-  Material material{.E = 0.0, .nu = 0.0, .name = std::string(text)};
-  bool has_E = false, has_nu = false;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view item = rest.substr(0, rest.find(','));
-    rest.remove_prefix(std::min(rest.size(), item.size() + 1));
-    if (item.starts_with("E=")) {
-      material.E = parse_modulus(item.substr(2));
-      has_E = true;
-    } else if (item.starts_with("nu=")) {
-      material.nu = parse_in("nu", item.substr(3), "");
-      has_nu = true;
-    } else {
-      throw ModelError(
-          fmt::format("material '{}': accepted are steel, aluminium or E=207GPa,nu=0.3{}", text,
-                      text == "aluminum" ? "; did you mean 'aluminium'?" : ""));
-    }
-  }
-  if (!has_E || !has_nu)
-    throw ModelError(fmt::format("material '{}': {} is missing; for instance E=207GPa,nu=0.3", text,
-                                 has_E ? "nu" : "E"));
-  require_positive("material", "E", material.E, "Pa");
-  if (!(material.nu > -1.0 && material.nu <= 0.5))
-    throw ModelError(
-        fmt::format("material '{}': nu must be greater than -1 and at most 0.5", text));
-  return material;
-}
-
-double parse_in(std::string_view owner, std::string_view text, std::string_view unit) {
-  const Number number = parse_number(owner, text);
-  if (!number.rest.empty() && number.rest != unit)
-    throw ModelError(fmt::format("{}: '{}' has the unit '{}'; accepted: a plain number{}{}", owner,
-                                 text, number.rest, unit.empty() ? "" : " or one in ", unit));
-  return number.value;
-}
-
-double parse_metres(std::string_view owner, std::string_view text) {
-  const Number number = parse_number(owner, text);
-  return number.rest.empty() ? number.value : parse_quantity(owner, Quantity::length, text);
 }
 
 ElasticArguments elastic_arguments(const ElasticOptions& o) {
@@ -169,7 +100,5 @@ void check_format(const std::string& format, const std::vector<std::string>& kno
   if (std::ranges::find(known, format) == known.end())
     throw ModelError(fmt::format("--format '{}'{}", format, suggestion(format, known)));
 }
-
-std::string exactly(double value) { return fmt::format("{:.17g}", value); }
 
 }  // namespace yoke::cases

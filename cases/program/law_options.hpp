@@ -31,19 +31,7 @@ ElasticArguments elastic_arguments(const ElasticOptions& options);
 /// The law, and on stderr what is odd about the reading asked for.
 ElasticLaw elastic_law(const ElasticOptions& options);
 
-/// "steel", "aluminium" or "E=207GPa,nu=0.3" (Pa, kPa, MPa, GPa). Throws ModelError.
-Material parse_material(std::string_view text);
-
-/// A number with or without its unit, SI: "0.37" or "0.37m/s". Throws ModelError.
-double parse_in(std::string_view owner, std::string_view text, std::string_view unit);
-
-/// A length with its unit, or a plain number of metres. Throws ModelError.
-double parse_metres(std::string_view owner, std::string_view text);
-
 /// "csv", "json" or "text" among `known`, or ModelError.
 void check_format(const std::string& format, const std::vector<std::string>& known);
-
-/// A number with 17 significant digits.
-std::string exactly(double value);
 
 }  // namespace yoke::cases

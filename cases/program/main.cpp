@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The yoke program. Verbs are in verb_*.cpp, cases in files of their own.
-#include <cstdio>
-#include <exception>
+// The yoke program. Verbs are in verb_*.cpp. Those of cases/program/studies/ are in a program of
+// their own, yoke-studies, which this one calls: who runs a case need not compile them.
+#include <unistd.h>
 
-#include <yoke/cases/jobs/progress.hpp>
-#include <yoke/cases/program/verb.hpp>
-#include <yoke/core/error.hpp>
-#include <yoke/core/version.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include <yoke/cases/program/program.hpp>
 
 namespace {
 
 using namespace yoke::cases;
 
-int run(int argc, char** argv) {
-  CLI::App app("Yoke, a planar multibody engine", "yoke");
-  app.set_version_flag("--version", std::string("yoke ") + yoke::version);
-  app.require_subcommand(1);
-  Action action;
+void add_verbs(CLI::App& app, Action& action) {
   add_run_verb(app, action);
   add_resume_verb(app, action);
   add_check_verb(app, action);
@@ -26,37 +24,30 @@ int run(int argc, char** argv) {
   add_inverse_dynamics_verb(app, action);
   add_equilibrium_verb(app, action);
   add_modes_verb(app, action);
-  add_study_verb(app, action);
-  add_validate_verb(app, action);
   add_law_verb(app, action);
   add_impact_verb(app, action);
-  add_reproduce_verb(app, action);
   add_list_verb(app, action);
-  if (argc == 1) {
-    std::fputs(app.help().c_str(), stdout);
-    return exit_usage;
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    std::string message = error.what();
-    if (message == "A subcommand is required") message = "what to do? 'yoke VERB ...'";
-    std::fprintf(stderr, "yoke: %s; try 'yoke --help'\n", message.c_str());
-    return exit_usage;
-  }
-  catch_signals();
-  return action();
+  for (const StudyVerb& verb : study_verbs) app.add_subcommand(verb.name, verb.description);
+}
+
+/// Becomes the program yoke-studies, which lies beside this one. Returns only if that fails.
+int call_studies(char** argv) {
+  std::error_code unknown;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::string studies = (self.parent_path() / "yoke-studies").string();
+  execv(studies.c_str(), argv);
+  std::fprintf(stderr,
+               "yoke: cannot start '%s' (%s), which has the verb '%s'; build it with './dev build' "
+               "or install it beside yoke\n",
+               studies.c_str(), std::strerror(errno), argv[1]);
+  return exit_failed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "yoke: %s\n", error.what());
-    return exit_failed;
-  }
+  const bool study = argc > 1 && std::ranges::any_of(study_verbs, [&](const StudyVerb& verb) {
+                       return std::string_view(argv[1]) == verb.name;
+                     });
+  return study ? call_studies(argv) : run_program(argc, argv, add_verbs);
 }

@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/cases/program/request.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -55,6 +57,19 @@ std::optional<double> checked_spectral_radius(const RequestOptions& o) {
   return radius;
 }
 
+void print_law_help(const Case& c) {
+  if (c.contact.laws.empty()) return;
+  fmt::print("\nLaws (--law NAME)\n");
+  for (const NamedLaw& law : c.contact.laws)
+    fmt::print("  {:<28} {}\n", law.name, law.description);
+  std::vector<std::string> walls;
+  for (const Wall& wall : c.contact.walls(Parameters(c.parameters))) walls.push_back(wall.name);
+  fmt::print(
+      "  or any law of 'yoke law list', elastic+dissipative with arguments, also wall by wall\n"
+      "  ({}): --law johnson+flores:e=0.8, --law hertz, --law johnson,{}=power:K=1e8,n=1.5\n",
+      fmt::join(walls, ", "), walls.back());
+}
+
 void print_case_help(const Case& c) {
   fmt::print("\n{}: {}\n\nParameters (--set name=value)\n", c.name, c.description);
   for (const CaseParameter& p : c.parameters) {
@@ -64,8 +79,7 @@ void print_case_help(const Case& c) {
                    ? fmt::format("; units {}", accepted_units(p.quantity))
                    : "");
   }
-  if (!c.laws.empty()) fmt::print("\nLaws (--law NAME)\n");
-  for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
+  print_law_help(c);
   fmt::print("\nFormulations (--formulation NAME; default: automatic, chosen from the model)\n");
   for (const FormulationNote& f : formulations())
     fmt::print("  {:<22} {}\n", f.name, f.description);
@@ -90,8 +104,8 @@ void add_case_options(CLI::App& verb, RequestOptions& o) {
 
 void add_output_options(CLI::App& verb, RequestOptions& o) {
   verb.add_option("-o,--output", o.output, "Folder for the results")->type_name("DIR");
-  verb.add_option("--law", o.laws, "Only this contact law; repeatable")
-      ->type_name("NAME")
+  verb.add_option("--law", o.laws, "Contact law: a name of the case, or laws of 'yoke law list' with arguments; repeatable")
+      ->type_name("LAW")
       ->allow_extra_args(false);
   verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")
       ->type_name("N")
@@ -160,31 +174,19 @@ RequestOptions load_options(const std::filesystem::path& folder) {
   return options;
 }
 
-SimulationOptions simulation_options(const RunRequest& request, double until, int samples,
-                                     const std::filesystem::path& folder) {
-  SimulationOptions options;
-  options.until = until;
-  options.relative_tolerance = request.relative_tolerance;
-  options.formulation = request.formulation;
-  options.samples = samples;
-  if (request.spectral_radius) options.spectral_radius = *request.spectral_radius;
-  if (request.checkpoint_every > 0.0 || request.checkpoint_events > 0)
-    options.checkpoints = {.folder = folder / "checkpoint",
-                           .every = request.checkpoint_every,
-                           .every_events = request.checkpoint_events,
-                           .resume = request.resume};
-  return options;
-}
-
 RunRequest make_request(const Case& c, const RequestOptions& o) {
   if (o.samples < 2)
     throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
   if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
+  const Parameters parameters(c.parameters, o.settings);
+  const std::vector<std::string> laws = choose_laws(c, o.laws);
+  for (const std::string& law : laws) make_laws(c.contact, parameters, law);  // says what is wrong
+  c.duration(parameters);
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  return {.parameters = Parameters(c.parameters, o.settings),
-          .laws = choose_laws(c, o.laws),
+  return {.parameters = parameters,
+          .laws = laws,
           .output = o.output.empty() ? c.default_output : std::filesystem::path(o.output),
           .samples = o.samples,
           .relative_tolerance = o.relative_tolerance,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <yoke/cases/case.hpp>
+#include <yoke/cases/jobs/request.hpp>
 
 namespace yoke::cases {
 

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // A verb of the program: `yoke VERB ...`. Each lives in a file of its own, verb_NAME.cpp, and has
-// one line in yoke.cpp. It adds its subcommand to the parser and sets `action` to what shall happen
+// one line in main.cpp. It adds its subcommand to the parser and sets `action` to what shall happen
 // when the user has chosen it.
 #pragma once
 
@@ -19,16 +19,27 @@ using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
-void add_study_verb(CLI::App& app, Action& action);
-void add_validate_verb(CLI::App& app, Action& action);
 void add_law_verb(CLI::App& app, Action& action);
 void add_impact_verb(CLI::App& app, Action& action);
-void add_reproduce_verb(CLI::App& app, Action& action);
 void add_check_verb(CLI::App& app, Action& action);
 void add_kinematics_verb(CLI::App& app, Action& action);
 void add_inverse_dynamics_verb(CLI::App& app, Action& action);
 void add_equilibrium_verb(CLI::App& app, Action& action);
 void add_modes_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
+
+/// The verbs of the program yoke-studies.
+struct StudyVerb {
+  const char* name;
+  const char* description;
+};
+inline constexpr StudyVerb study_verbs[] = {
+    {"study", "Test what is claimed about a case; prints Markdown, for docs/CASE.md"},
+    {"validate", "Measure the engine against what it promises; prints Markdown"},
+    {"reproduce", "Make the paper's tables and figures of the contact laws again"},
+};
+void add_study_verb(CLI::App& app, Action& action);
+void add_validate_verb(CLI::App& app, Action& action);
+void add_reproduce_verb(CLI::App& app, Action& action);
 
 }  // namespace yoke::cases

@@ -147,7 +147,7 @@ void add_check_verb(CLI::App& app, Action& action) {
       const Case& c = find_case(options->case_name);
       const RunRequest request = make_request(c, *options);
       const Findings f =
-          look_at(c.model(request.parameters, request.laws.empty() ? "" : request.laws.front()));
+          look_at(make_model(c, request.parameters, options->laws.empty() ? "" : request.laws.front()));
       if (*format == "json")
         print_json(f);
       else

@@ -16,9 +16,9 @@ int list() {
   fmt::print("Cases\n");
   for (const Case& c : case_registry()) fmt::print("  {:<22} {}\n", c.name, c.description);
   for (const Case& c : case_registry()) {
-    if (c.laws.empty()) continue;
-    fmt::print("\nLaws of {}\n", c.name);
-    for (const LawNote& law : c.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
+    if (c.contact.laws.empty()) continue;
+    fmt::print("\nLaws of {} ('yoke law list' has more for --law)\n", c.name);
+    for (const NamedLaw& law : c.contact.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
   }
   fmt::print("\nFormulations (default: automatic, chosen from the model)\n");
   for (const FormulationNote& f : formulations())

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <yoke/cases/jobs/job.hpp>
+#include <yoke/cases/paper/figures/case_figures.hpp>
 #include <yoke/cases/program/request.hpp>
 #include <yoke/cases/program/verb.hpp>
 
@@ -23,7 +25,7 @@ void add_resume_verb(CLI::App& app, Action& action) {
       const Case& c = find_case(options.case_name);
       RunRequest request = make_request(c, options);
       request.resume = true;
-      return exit_code(c.run(request));
+      return exit_code(run_case(c, request, paper_figures(c.name)));
     };
   });
 }

@@ -4,6 +4,8 @@
 // yoke run CASE: the job of a case, with its parameters set by name.
 #include <memory>
 
+#include <yoke/cases/jobs/job.hpp>
+#include <yoke/cases/paper/figures/case_figures.hpp>
 #include <yoke/cases/program/request.hpp>
 #include <yoke/cases/program/verb.hpp>
 
@@ -20,7 +22,7 @@ void add_run_verb(CLI::App& app, Action& action) {
       const Case& c = find_case(options->case_name);
       const RunRequest request = make_request(c, *options);
       save_options(*options, request.output);
-      return exit_code(c.run(request));
+      return exit_code(run_case(c, request, paper_figures(c.name)));
     };
   });
 }

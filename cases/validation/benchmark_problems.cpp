@@ -7,9 +7,11 @@
 
 #include <span>
 
-#include <yoke/cases/benchmark_mechanisms.hpp>
+#include <yoke/cases/car_axis.hpp>
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/n_four_bar.hpp>
+#include <yoke/cases/pendulums.hpp>
+#include <yoke/cases/slider_crank.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/integrators/simulate.hpp>
 
@@ -327,7 +329,7 @@ std::vector<Benchmark> benchmarks() {
                  .model =
                      [] {
                        const Case& c = find_case("parallelogram");
-                       return c.model(Parameters(c.parameters), "");
+                       return make_model(c, Parameters(c.parameters));
                      },
                  .until = 2.0,
                  .bars = {.position = 1e-9},

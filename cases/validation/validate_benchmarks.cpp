@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include <yoke/cases/benchmark_andrews.hpp>
+#include <yoke/cases/andrews.hpp>
 #include <yoke/cases/jobs/markdown.hpp>
 #include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/plot.hpp>

@@ -30,7 +30,7 @@ Bench bench() {
   const Case& c = find_case("scotch_yoke");
   const Parameters parameters(c.parameters, {});
   const ScotchYoke choices(parameters);
-  Model model = c.model(parameters, law);
+  Model model = make_model(c, parameters, law);
   const Eigen::Index slider_x = 3 * (model.find_body("slider").index - 1);
   return {std::move(model), choices.end_time(), slider_x};
 }

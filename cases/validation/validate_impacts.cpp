@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/cases/jobs/impact.hpp>
 #include <yoke/cases/jobs/markdown.hpp>
 #include <yoke/cases/jobs/parallel.hpp>
-#include <yoke/cases/program/law_options.hpp>
 #include <yoke/cases/validation/validation.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/contact/laws/catalog/elastic_catalog.hpp>

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include <yoke/cases/benchmark_andrews.hpp>
+#include <yoke/cases/andrews.hpp>
 #include <yoke/cases/n_four_bar.hpp>
 #include <yoke/cases/validation/benchmark_problems.hpp>
 #include <yoke/core/authoring/check.hpp>

@@ -14,7 +14,7 @@ namespace {
 
 yoke::Model model_of(const char* name) {
   const yoke::cases::Case& c = yoke::cases::find_case(name);
-  return c.model(yoke::cases::Parameters(c.parameters), "");
+  return make_model(c, yoke::cases::Parameters(c.parameters));
 }
 
 }  // namespace

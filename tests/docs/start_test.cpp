@@ -28,7 +28,7 @@ TEST_CASE("the cases to look at are what they claim to be") {
   using namespace yoke;
   for (const auto& [name, redundant] : {std::pair{"parallelogram", 1}, {"n_four_bar", 0}}) {
     const cases::Case& c = cases::find_case(name);
-    const Model model = c.model(cases::Parameters(c.parameters), "");
+    const Model model = make_model(c, cases::Parameters(c.parameters));
     Dynamics dynamics(model);
     State state = model.start_state();
     REQUIRE(dynamics.assemble(state));

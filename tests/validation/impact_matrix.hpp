@@ -52,7 +52,7 @@ struct Worst {
 inline void check_impact(const std::string& law, const Spring& spring, double e,
                          const Expected& expected, bool clamp, cases::Impact::Setup setup,
                          const std::string& formulation, Worst& worst) {
-  INFO(law, " ", spring.specification, " e = ", e, clamp ? " clamped " : " ", cases::name_of(setup),
+  INFO(law, " ", spring.specification, " e = ", e, std::string(clamp ? " clamped " : " "), cases::name_of(setup),
        " ", formulation);
   const ContactLaw contact{
       make_elastic(spring.specification,
@@ -63,7 +63,7 @@ inline void check_impact(const std::string& law, const Spring& spring, double e,
       {.law = contact, .speed = v, .mass = m, .setup = setup, .formulation = formulation});
   const auto check = [](const char* what, double error, double limit, double& largest) {
     largest = std::max(largest, error);
-    CHECK_MESSAGE(error <= limit, what);
+    CHECK_MESSAGE(error <= limit, std::string(what));
   };
   const auto relative = [](double value, double reference) {
     return std::abs(value / reference - 1.0);

@@ -170,6 +170,12 @@ inline Expected proportional_impact(const Spring& spring, double X) {
   const auto slowness = [&](double U, double y) {
     return U > 0.0 ? m * v / (spring.at_energy(U).force * (1.0 + X * y)) : 0.0;
   };
+  // A strong damper lets go slowly: the last stretch has a length of its own, 1/X - e.
+  const double turn = std::min(0.5 * e, 100.0 * (1.0 / X - e));
+  const auto way_out = [&](double from, double to) {
+    return integral([&](double s, double) { return slowness(out(from + s), from + s - e); }, 0.0,
+                    to - from);
+  };
   return {
       .restitution = e,
       .penetration = spring.at_energy(in(1.0)).penetration,
@@ -179,7 +185,7 @@ inline Expected proportional_impact(const Spring& spring, double X) {
           },
           0.0, 1.0),
       .duration = integral([&](double s, double) { return slowness(in(s), 1.0 - s); }, 0.0, 1.0) +
-                  integral([&](double s, double) { return slowness(out(s), s - e); }, 0.0, e)};
+                  way_out(0.0, turn) + way_out(turn, e)};
 }
 
 /// Damper beside the spring, c from the stored energy: q'' + 2 xi w q' + w^2 q = 0, w = 1/sqrt(m),

@@ -25,7 +25,7 @@ constexpr double rounding = 16.0 * 2.2e-16 * 100.0 * 2.0 * pi;  // [rad] of the 
 
 Model mechanism(const std::string& pin) {
   const Case& c = find_case("scotch_yoke");
-  return c.model(Parameters(c.parameters, {"pin=" + pin}), "table11-johnson");
+  return make_model(c, Parameters(c.parameters, {"pin=" + pin}), "table11-johnson");
 }
 
 Summary turn(const Model& model, const std::string& formulation, double rtol, int revolutions) {

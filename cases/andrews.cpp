@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/cases/benchmark_andrews.hpp>
+#include <yoke/cases/andrews.hpp>
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include <yoke/cases/case.hpp>
 #include <yoke/core/authoring/auto_constraint.hpp>
 #include <yoke/core/authoring/auto_force.hpp>
 #include <yoke/core/error.hpp>
@@ -281,6 +282,12 @@ AndrewsState andrews_by_published_equations(double t) {
   std::copy_n(x.data(), 7, state.a.begin());
   std::copy_n(x.data() + 7, 6, state.lambda.begin());
   return state;
+}
+
+Case andrews_case() {
+  return case_without_choices("andrews",
+                              "Andrews' squeezing mechanism: seven bodies, three closed loops",
+                              andrews, "0.03");
 }
 
 }  // namespace yoke::cases

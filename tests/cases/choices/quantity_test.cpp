@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
 
-#include <yoke/cases/quantity.hpp>
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/tests/messages.hpp>

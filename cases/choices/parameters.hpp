@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <yoke/cases/quantity.hpp>
+#include <yoke/cases/choices/quantity.hpp>
 
 namespace yoke::cases {
 

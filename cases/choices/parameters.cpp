@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/cases/parameters.hpp>
+#include <yoke/cases/choices/parameters.hpp>
 
 #include <fmt/ranges.h>
 

@@ -37,8 +37,7 @@ const std::vector<Topic> topics = {
 }  // namespace
 
 void add_validate_verb(CLI::App& app, Action& action) {
-  CLI::App* verb = app.add_subcommand(
-      "validate", "Measure the engine against what it promises; prints Markdown");
+  CLI::App* verb = app.add_subcommand(study_verbs[1].name, study_verbs[1].description);
   verb->require_subcommand(1);
   for (const Topic& topic : topics) {
     CLI::App* sub = verb->add_subcommand(topic.name, topic.description);

@@ -13,8 +13,7 @@
 namespace yoke::cases {
 
 void add_reproduce_verb(CLI::App& app, Action& action) {
-  CLI::App* verb = app.add_subcommand(
-      "reproduce", "Make the paper's tables and figures of the contact laws again");
+  CLI::App* verb = app.add_subcommand(study_verbs[2].name, study_verbs[2].description);
   verb->require_subcommand(1);
 
   CLI::App* tables = verb->add_subcommand(

@@ -19,6 +19,23 @@ double parse_quantity(std::string_view owner, Quantity quantity, std::string_vie
 /// The SI value in the unit people draw in: "45 mm", "-31 deg".
 std::string format_quantity(Quantity quantity, double value);
 
+/// A finite number and what follows it, as typed: "207GPa" is 207 and "GPa".
+struct TypedNumber {
+  double value;
+  std::string_view unit;  // a view into the text
+};
+/// Throws ModelError if `text` does not start with a finite number.
+TypedNumber parse_number(std::string_view owner, std::string_view text);
+
+/// A number with or without its unit, SI: "0.37" or "0.37m/s". Throws ModelError.
+double parse_in(std::string_view owner, std::string_view text, std::string_view unit);
+
+/// A length with its unit, or a plain number of metres. Throws ModelError.
+double parse_metres(std::string_view owner, std::string_view text);
+
+/// A number with 17 significant digits: reading it gives the same number.
+std::string exactly(double value);
+
 /// "mm, cm, m, um", or "a plain number".
 std::string accepted_units(Quantity quantity);
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <yoke/cases/jobs/plot.hpp>
-#include <yoke/cases/paper/scotch_yoke_job.hpp>
+#include <yoke/cases/paper/figures/case_figures.hpp>
+#include <yoke/cases/scotch_yoke.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke::cases {
@@ -47,21 +47,21 @@ struct Window {
 };
 
 Window last_revolution(const LawRun& run, const ScotchYoke& choices) {
-  const Eigen::VectorXd t = run.history["t_s"], angle = run.history["crank_angle_relative_rad"];
+  const Eigen::VectorXd t = run.motion()["t_s"], angle = run.motion()["crank_angle_relative_rad"];
   const double start = choices.last_revolution_start();
   const auto first = std::lower_bound(t.begin(), t.end(), start * (1.0 - 1e-12)) - t.begin();
   return {
-      .first = static_cast<std::size_t>(first), .last = run.history.rows(), .angle = angle[first]};
+      .first = static_cast<std::size_t>(first), .last = run.motion().rows(), .angle = angle[first]};
 }
 
 void write_revolution(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   Rows rows(
       "angle_deg,force_N,penetration_um,slider_x_mm,slider_v_m_per_s,slider_a_m_per_s2,"
       "deviation_um");
-  const auto angle = run.history["crank_angle_relative_rad"], force = run.history["normal_force_N"],
-             penetration = run.history["penetration_m"], x = run.history["slider_x_m"],
-             v = run.history["slider_v_m_per_s"], a = run.history["slider_a_m_per_s2"],
-             omega = run.history["crank_speed_rad_per_s"];
+  const auto angle = run.motion()["crank_angle_relative_rad"], force = run.motion()["normal_force_N"],
+             penetration = run.motion()["penetration_m"], x = run.motion()["slider_x_m"],
+             v = run.motion()["slider_v_m_per_s"], a = run.motion()["slider_a_m_per_s2"],
+             omega = run.motion()["crank_speed_rad_per_s"];
   const Window window = last_revolution(run, choices);
   for (std::size_t row = window.first; row < window.last; ++row) {
     const auto i = static_cast<Eigen::Index>(row);
@@ -70,7 +70,7 @@ void write_revolution(const LawRun& run, const ScotchYoke& choices, const Path& 
     rows.add((angle[i] - window.angle) / degree, force[i], 1e6 * std::max(0.0, penetration[i]),
              1e3 * x[i], v[i], a[i], 1e6 * (x[i] - ideal.x));
   }
-  rows.write(folder / (run.law + ".csv"));
+  rows.write(folder / (run.folder + ".csv"));
 }
 
 void write_rigid(const ScotchYoke& choices, const Path& folder) {
@@ -92,7 +92,7 @@ bool write_loop(const LawRun& run, const ScotchYoke& choices, const Path& folder
     return s.crossed && s.region == "outer" && s.last > s.first;
   });
   if (landing == spells.end()) return false;
-  const auto force = run.history["normal_force_N"], penetration = run.history["penetration_m"];
+  const auto force = run.motion()["normal_force_N"], penetration = run.motion()["penetration_m"];
   Rows rows("penetration_um,force_N");
   rows.add(0.0, 0.0);
   for (std::size_t row = landing->first; row < landing->last; ++row) {
@@ -100,7 +100,7 @@ bool write_loop(const LawRun& run, const ScotchYoke& choices, const Path& folder
     rows.add(1e6 * penetration[i], force[i]);
   }
   rows.add(0.0, 0.0);
-  rows.write(folder / ("loop-" + run.law + ".csv"));
+  rows.write(folder / ("loop-" + run.folder + ".csv"));
   return true;
 }
 
@@ -126,9 +126,16 @@ constexpr Style styles[] = {
 };
 constexpr const char* rigid_curve = "title 'no clearance' with lines lc rgb '#a0a0a0' lw 2.5";
 
-Style style_of(std::string_view law) {
+// A law of the catalogue goes by the name of its folder and takes the colours in turn.
+struct CurveStyle {
+  std::string title, color;
+  bool dashed = false;
+};
+
+CurveStyle style_of(const std::string& law, std::size_t place = 0) {
   const auto found = std::ranges::find(styles, law, &Style::law);
-  return found != std::end(styles) ? *found : Style{law, "", "#888888"};
+  if (found != std::end(styles)) return {found->title, found->color, found->dashed};
+  return {law, styles[place % std::size(styles)].color, false};
 }
 
 struct Curves {
@@ -142,9 +149,9 @@ struct Curves {
 std::vector<std::string> curves(const std::vector<std::string>& laws, const Curves& how) {
   std::vector<std::string> parts;
   for (const std::string& law : laws) {
-    const Style style = style_of(law);
+    const CurveStyle style = style_of(law, parts.size());
     parts.push_back(fmt::format(
-        "'{}{}.csv' every {} using {} title \"{}\" with lines lc rgb '{}' lw 1.2 dt {}", how.prefix,
+        "'{}{}.csv' every {} using {} title \"{}\" noenhanced with lines lc rgb '{}' lw 1.2 dt {}", how.prefix,
         law, how.every, how.columns, style.title, style.color, style.dashed && how.dashes ? 2 : 1));
   }
   return parts;
@@ -193,7 +200,7 @@ Figure figure11_panels(const std::vector<std::string>& laws) {
           "  set xtics format '%g'; set xlabel 'crank angle from the start of the revolution "
           "[deg]'\n";
     body += fmt::format(
-        "  set ylabel '[N]'; set label 1 \"{}\" at graph 0.5,0.88 center front\n{}\n",
+        "  set ylabel '[N]'; set label 1 \"{}\" at graph 0.5,0.88 center front noenhanced\n{}\n",
         style_of(laws[i]).title,
         with_rigid(curves({laws[i]}, {.columns = "1:2", .every = 4, .dashes = false}), "1:2"));
   }
@@ -309,9 +316,9 @@ Rows slot_outline(double width) {
 /// Poses to draw the mechanism in: 90 in a revolution.
 void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   Rows rows("pin_x_mm,pin_y_mm,slider_x_mm,angle_deg,force_x_N,force_y_N");
-  const auto angle = run.history["crank_angle_relative_rad"], x = run.history["slider_x_m"],
-             force = run.history["normal_force_N"];
-  const std::size_t region = run.history.index("region");
+  const auto angle = run.motion()["crank_angle_relative_rad"], x = run.motion()["slider_x_m"],
+             force = run.motion()["normal_force_N"];
+  const std::size_t region = run.motion().index("region");
   const Window window = last_revolution(run, choices);
   for (int frame = 0; frame < 90; ++frame) {
     const std::size_t row =
@@ -319,7 +326,7 @@ void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& fold
     const auto i = static_cast<Eigen::Index>(row);
     const Vec2 pin = rotate(choices.start_angle + angle[i], {choices.crank_length, 0.0});
     const Vec2 away = (pin - Vec2{x[i], 0.0}).normalized();
-    const Vec2 push = (run.history.text(row, region) == "outer" ? 1.0 : -1.0) * force[i] * away;
+    const Vec2 push = (run.motion().text(row, region) == "outer" ? 1.0 : -1.0) * force[i] * away;
     rows.add(1e3 * pin.x(), 1e3 * pin.y(), 1e3 * x[i], (angle[i] - window.angle) / degree, push.x(),
              push.y());
   }
@@ -389,20 +396,21 @@ Figure animation() {
 }
 
 bool have(const std::vector<LawRun>& runs, std::string_view law) {
-  return std::ranges::find(runs, law, &LawRun::law) != runs.end();
+  return std::ranges::find(runs, law, &LawRun::folder) != runs.end();
 }
 
 }  // namespace
 
-std::string plot_scotch_yoke(const ScotchYoke& choices, const std::vector<LawRun>& runs,
-                             const Path& folder, int jobs) {
+std::vector<Figure> scotch_yoke_figures(const Case&, const RunRequest& request,
+                                        const std::vector<LawRun>& runs, const Path& folder) {
+  const ScotchYoke choices(request.parameters);
   make_output_folder(folder);
   std::vector<std::string> laws, loops;
   for (const LawRun& run : runs) {
     write_revolution(run, choices, folder);
-    if (run.law.ends_with("-10mm")) continue;  // they have a figure of their own
-    laws.push_back(run.law);
-    if (write_loop(run, choices, folder)) loops.push_back(run.law);
+    if (run.folder.ends_with("-10mm")) continue;  // they have a figure of their own
+    laws.push_back(run.folder);
+    if (write_loop(run, choices, folder)) loops.push_back(run.folder);
   }
   write_rigid(choices, folder);
   slot_outline(half_width).write(folder / "slot.csv");
@@ -418,7 +426,7 @@ std::string plot_scotch_yoke(const ScotchYoke& choices, const std::vector<LawRun
   if (have(runs, "table11-johnson") && have(runs, "johnson") &&
       have(runs, "table11-johnson-10mm") && have(runs, "johnson-10mm") && shows_details)
     figures.push_back(johnson_figure());
-  return draw_figures(figures, folder, jobs);
+  return figures;
 }
 
 }  // namespace yoke::cases

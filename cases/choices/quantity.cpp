@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/cases/quantity.hpp>
+#include <yoke/cases/choices/quantity.hpp>
 
 #include <fmt/ranges.h>
 
@@ -90,6 +90,31 @@ double parse_quantity(std::string_view owner, Quantity quantity, std::string_vie
   throw ModelError(
       fmt::format("{}: '{}' {}; accepted: {}", owner, text, problem, accepted_units(quantity)));
 }
+
+TypedNumber parse_number(std::string_view owner, std::string_view text) {
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value))
+    throw ModelError(fmt::format("{}: '{}' does not start with a finite number", owner, text));
+  std::string_view unit = text.substr(static_cast<std::size_t>(rest - text.data()));
+  while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
+  return {value, unit};
+}
+
+double parse_in(std::string_view owner, std::string_view text, std::string_view unit) {
+  const TypedNumber number = parse_number(owner, text);
+  if (!number.unit.empty() && number.unit != unit)
+    throw ModelError(fmt::format("{}: '{}' has the unit '{}'; accepted: a plain number{}{}", owner,
+                                 text, number.unit, unit.empty() ? "" : " or one in ", unit));
+  return number.value;
+}
+
+double parse_metres(std::string_view owner, std::string_view text) {
+  const TypedNumber number = parse_number(owner, text);
+  return number.unit.empty() ? number.value : parse_quantity(owner, Quantity::length, text);
+}
+
+std::string exactly(double value) { return fmt::format("{:.17g}", value); }
 
 std::string format_quantity(Quantity quantity, double value) {
   const std::vector<Unit>& units = units_of(quantity);

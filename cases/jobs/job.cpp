@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/jobs/job.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <yoke/cases/jobs/parallel.hpp>
+#include <yoke/cases/jobs/progress.hpp>
+#include <yoke/cases/jobs/report.hpp>
+#include <yoke/cases/jobs/standard_figures.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+RunStatus worst_status(const std::vector<LawRun>& runs) {
+  if (interrupted()) return RunStatus::interrupted;
+  const auto stopped = [](const LawRun& r) { return r.summary.stop == Stop::interrupted; };
+  if (std::ranges::any_of(runs, stopped)) return RunStatus::interrupted;
+  const bool ok = std::ranges::all_of(runs, [](const LawRun& r) { return r.summary.ok(); });
+  return ok ? RunStatus::completed : RunStatus::failed;
+}
+
+struct Job {
+  const Case& c;
+  const RunRequest& request;
+  const FigureMaker& more;
+  bool choice = false;  // of laws: a folder for each
+  std::vector<std::string> laws{}, folders{};
+
+  fs::path plots() const { return request.output / "plots"; }
+
+  /// Runs and writes one law. The tables are kept only if other figures than the standard ones are
+  /// to be made of them.
+  LawRun run(std::size_t i, std::function<bool(const Progress&)> observer, DrawnRun& drawn) const {
+    RunRequest own = request;
+    own.output = request.output / folders[i];
+    LawRun run = run_law(c, own, laws[i], std::move(observer));
+    run.folder = folders[i];
+    write_run(c, request, run, own.output);
+    if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots());
+    if (!request.plots || !more) run.history = run.samples = {};
+    return run;
+  }
+
+  void draw(const std::vector<LawRun>& runs, const std::vector<DrawnRun>& drawn) const {
+    std::vector<Figure> figures = standard_figures(c.name, drawn);
+    if (more)
+      for (Figure& figure : more(c, request, runs, plots())) figures.push_back(std::move(figure));
+    fmt::print("{}\n", draw_figures(figures, plots(), request.jobs));
+  }
+};
+
+}  // namespace
+
+RunStatus run_case(const Case& c, const RunRequest& request, const FigureMaker& more) {
+  Job job{.c = c, .request = request, .more = more, .choice = !request.laws.empty()};
+  job.laws = job.choice ? request.laws : std::vector<std::string>{""};
+  job.folders = job.choice ? folder_names(request.laws) : job.laws;
+  make_output_folder(request.output);
+  std::vector<LawRun> runs(job.laws.size());
+  std::vector<DrawnRun> drawn(runs.size());
+  {
+    ProgressLine progress(job.choice ? job.laws : std::vector<std::string>{c.name});
+    run_parallel(runs.size(), request.jobs, [&](std::size_t i) {
+      if (interrupted()) return;
+      runs[i] = job.run(i, progress.observer(i), drawn[i]);
+      progress.report(i, 1.0);
+    });
+  }
+  print_report(runs);
+  const std::string output = request.output.string();
+  if (job.choice) {
+    write_comparison(runs, request.output / "comparison.csv");
+    fmt::print("\nresults: {}/LAW/{{motion.csv,events.csv,summary.json}}\n", output);
+  } else {
+    fmt::print("results in {}\n", output);
+  }
+  const RunStatus status = worst_status(runs);
+  if (status == RunStatus::interrupted) fmt::print("interrupted; what was computed is there\n");
+  if (request.plots && status == RunStatus::completed) job.draw(runs, drawn);
+  return status;
+}
+
+}  // namespace yoke::cases

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/jobs/law_run.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <yoke/cases/jobs/progress.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+// Rows recorded of a run with contacts, whatever is written.
+constexpr double recorded_by_default = 40000.0;
+
+std::size_t choose_stride(int samples, double wanted) {
+  if (samples < 2) return 1;
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted / (samples - 1))));
+}
+
+bool has_channel(const ForceElement& element, std::string_view name) {
+  const std::vector<Channel> channels = element.channels();
+  return std::ranges::find(channels, name, &Channel::name) != channels.end();
+}
+
+/// The elements that report a contact: force and penetration.
+std::vector<std::string> contact_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const auto& force : model.forces())
+    if (force->contacts() > 0 && has_channel(*force, "normal_force") &&
+        has_channel(*force, "penetration"))
+      names.push_back(force->name());
+  return names;
+}
+
+std::vector<ContactRecord> contact_records(const std::vector<std::string>& names,
+                                           const LawRun& run) {
+  std::vector<ContactRecord> records;
+  for (const std::string& name : names) {
+    ContactRecord r{.element = name};
+    if (run.samples.rows() > 0) {
+      r.peak_force = run.samples[name + ".normal_force_N"].maxCoeff();
+      r.largest_penetration = std::max(0.0, run.samples[name + ".penetration_m"].maxCoeff());
+    }
+    r.onsets = std::ranges::count_if(run.events, [&](const EventRecord& e) {
+      return e.element == name && e.kind == "onset";
+    });
+    records.push_back(r);
+  }
+  return records;
+}
+
+/// The samples under the names of the case.
+Table renamed(const Table& samples, const std::vector<MotionColumn>& columns) {
+  Table table;
+  std::vector<std::size_t> sources;
+  for (const MotionColumn& c : columns) {
+    sources.push_back(samples.index(c.source));
+    table.add_column(c.name, c.unit, samples.labels(sources.back()));
+  }
+  table.reserve(samples.rows());
+  for (std::size_t i = 0; i < samples.rows(); ++i) {
+    double* row = table.append();
+    for (std::size_t j = 0; j < sources.size(); ++j)
+      row[j] = samples.value(i, sources[j]) + columns[j].shift;
+  }
+  return table;
+}
+
+bool of_element(const EventRecord& event, std::string_view element) {
+  return element.empty() || event.element == element;
+}
+
+}  // namespace
+
+double LawRun::peak_force() const {
+  double most = 0.0;
+  for (const ContactRecord& c : contacts) most = std::max(most, c.peak_force);
+  return most;
+}
+
+double LawRun::largest_penetration() const {
+  double most = 0.0;
+  for (const ContactRecord& c : contacts) most = std::max(most, c.largest_penetration);
+  return most;
+}
+
+long LawRun::onsets() const {
+  long sum = 0;
+  for (const ContactRecord& c : contacts) sum += c.onsets;
+  return sum;
+}
+
+LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
+               std::function<bool(const Progress&)> observer) {
+  const Model model = make_model(c, request.parameters, law);
+  const std::vector<std::string> contacts = contact_names(model);
+  LawRun run{.law = law, .done = true};
+  if (!contacts.empty())
+    run.stride = choose_stride(request.samples, c.recorded_rows ? c.recorded_rows(request.parameters)
+                                                                : recorded_by_default);
+  const int samples =
+      request.samples > 0 ? (request.samples - 1) * static_cast<int>(run.stride) + 1 : 0;
+  SimulationOptions options = simulation_options(request, c.duration(request.parameters), samples,
+                                                 request.output);
+  options.observer = std::move(observer);
+  Result result = simulate(model, options);
+  if (request.verify && result.summary.ok()) {
+    options.observer = [](const Progress&) { return !interrupted(); };
+    run.verification = verify(model, options, result);
+  }
+  run.samples = std::move(result.samples);
+  run.events = std::move(result.events);
+  run.summary = std::move(result.summary);
+  run.contacts = contact_records(contacts, run);
+  if (c.columns) run.history = renamed(run.samples, c.columns(request.parameters, model));
+  return run;
+}
+
+std::vector<ContactSpell> contact_spells(const LawRun& run, double from, double to,
+                                         std::string_view element) {
+  std::vector<ContactSpell> spells;
+  const Eigen::VectorXd t = run.samples["t_s"];
+  const auto row_after = [&](double time) {
+    return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin());
+  };
+  const EventRecord* onset = nullptr;
+  std::string region;  // of the contact before
+  for (const EventRecord& e : run.events) {
+    if (!of_element(e, element)) continue;
+    if (e.kind == "onset") onset = &e;
+    if (e.kind != "release") continue;
+    if (onset != nullptr && onset->t >= from && e.t <= to)
+      spells.push_back({.first = row_after(onset->t),
+                        .last = row_after(e.t),
+                        .region = onset->region,
+                        .crossed = !region.empty() && onset->region != region});
+    onset = nullptr;
+    region = e.region;
+  }
+  return spells;
+}
+
+std::vector<Flight> flights(const LawRun& run, std::string_view element) {
+  std::vector<Flight> all;
+  const EventRecord* release = nullptr;
+  for (const EventRecord& e : run.events) {
+    if (!of_element(e, element)) continue;
+    if (e.kind == "release") release = &e;
+    if (e.kind != "onset" || release == nullptr) continue;
+    all.push_back({.from = release->t,
+                   .to = e.t,
+                   .landing_speed = e.speed,
+                   .crosses = e.region != release->region});
+    release = nullptr;
+  }
+  return all;
+}
+
+}  // namespace yoke::cases

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// One run of a case under one law, and what its contacts did.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/cases/jobs/request.hpp>
+#include <yoke/core/result.hpp>
+#include <yoke/integrators/analyses/verify.hpp>
+
+namespace yoke::cases {
+
+/// What one contact element went through.
+struct ContactRecord {
+  std::string element;
+  double peak_force = 0.0;           // [N] of the recorded rows
+  double largest_penetration = 0.0;  // [m] of the recorded rows
+  long onsets = 0;
+};
+
+/// The run under one law. Tables have `stride` rows for each row of motion.csv: an impact takes
+/// less than a millisecond, and its peak and its loop are to be seen whole.
+struct LawRun {
+  std::string law{};     // as asked for; "" if the case has no choice
+  std::string folder{};  // of the results, within that of the job; "" if it is that of the job
+  bool done = false;     // false: not begun, because the job was interrupted
+  Table samples{};       // the engine's columns
+  Table history{};       // under the case's own names; empty if the case has none
+  std::vector<EventRecord> events{};
+  Summary summary{};
+  std::size_t stride = 1;
+  std::vector<ContactRecord> contacts{};
+  std::optional<Verification> verification{};
+
+  /// What motion.csv shows.
+  const Table& motion() const { return history.names().empty() ? samples : history; }
+  double peak_force() const;           ///< [N] of all contacts
+  double largest_penetration() const;  ///< [m] of all contacts
+  long onsets() const;                 ///< of all contacts
+};
+
+/// Runs the case under one law; checkpoints go to request.output. With request.samples = 0 only the
+/// events and the summary are kept. Throws ModelError for what cannot start.
+LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
+               std::function<bool(const Progress&)> observer);
+
+/// One contact from onset to release, by the rows of the tables inside it.
+struct ContactSpell {
+  std::size_t first = 0, last = 0;  // rows, last excluded
+  std::string region;               // inner, outer, cap
+  bool crossed = false;             // the contact before was in another region
+};
+
+/// Contacts of an element that begin and end between two times [s]; "" is any element.
+std::vector<ContactSpell> contact_spells(const LawRun& run, double from, double to,
+                                         std::string_view element = "");
+
+/// A stretch without contact, from a release to the next onset.
+struct Flight {
+  double from = 0.0, to = 0.0;  // [s]
+  double landing_speed = 0.0;   // [m/s]
+  bool crosses = false;         // from one region to another
+};
+
+/// Flights of the whole run; "" is any element.
+std::vector<Flight> flights(const LawRun& run, std::string_view element = "");
+
+}  // namespace yoke::cases

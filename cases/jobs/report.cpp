@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/jobs/report.hpp>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string summary_json(const Case& c, const RunRequest& request, const LawRun& run) {
+  Json json = {{"case", c.name}};
+  if (!run.law.empty()) json["law"] = run.law;
+  json["parameters"] = request.parameters.to_json();
+  json.update(Json::parse(to_json(run.summary)));
+  json["samples"] = (run.samples.rows() + run.stride - 1) / run.stride;
+  if (!run.contacts.empty()) json["contacts"] = run.onsets();
+  if (run.verification) json["verification"] = Json::parse(to_json(*run.verification));
+  if (!run.contacts.empty()) {
+    json["peak_force_N"] = run.peak_force();
+    json["largest_penetration_m"] = run.largest_penetration();
+    Json& elements = json["contact_elements"];
+    for (const ContactRecord& r : run.contacts)
+      elements[r.element] = {{"contacts", r.onsets},
+                             {"peak_force_N", r.peak_force},
+                             {"largest_penetration_m", r.largest_penetration}};
+  }
+  json["worst_constraint_violation_m"] = run.summary.position_violation;
+  json["worst_constraint_violation_m_per_s"] = run.summary.velocity_violation;
+  return json.dump(2);
+}
+
+std::string label(const LawRun& run) { return run.law.empty() ? "run" : run.law; }
+
+void print_verification(const std::string& name, const Verification& v) {
+  fmt::print("\n{}: digits that agree with {} at a tolerance of {:g}\n", name, v.formulation,
+             v.relative_tolerance);
+  if (!v.summary.ok()) fmt::print("  it did not complete: {}\n", v.summary.reason);
+  constexpr double as_good_as_equal = 12.0;
+  long equal = 0;
+  for (const Agreement& a : v.quantities) {
+    if (a.digits > as_good_as_equal)
+      ++equal;
+    else
+      fmt::print("  {:<32} {:>5.1f}   largest difference {:.1e} of {:.3g}\n", a.column, a.digits,
+                 a.difference, a.peak);
+  }
+  fmt::print("  {:<32} {:>5.0f} or more\n", fmt::format("{} others", equal), as_good_as_equal);
+  if (v.same_events)
+    fmt::print("  {:<32} all {}, their times within {:.1e} s\n", "events", v.events,
+               v.event_time_difference);
+  else
+    fmt::print("  {:<32} differ: {} and {}\n", "events", v.events, v.other_events);
+}
+
+void print_table(const std::vector<LawRun>& runs) {
+  std::size_t width = 28;
+  for (const LawRun& run : runs) width = std::max(width, label(run).size());
+  fmt::print("{:<{}} {:>10} {:>12} {:>9} {:>8} {:>8} {:>10} {:>10} {:>7}\n", "law", width, "peak N",
+             "deepest um", "contacts", "steps", "rejected", "energy J", "violation", "time s");
+  for (const LawRun& run : runs) {
+    if (!run.done) continue;
+    const Summary& s = run.summary;
+    fmt::print("{:<{}} {:>10.1f} {:>12.3f} {:>9} {:>8} {:>8} {:>10.1e} {:>10.1e} {:>7.2f}\n",
+               label(run), width, run.peak_force(), 1e6 * run.largest_penetration(), run.onsets(),
+               s.steps, s.rejected, s.energy_balance, s.position_violation, s.wall_time);
+  }
+}
+
+void print_summary(const Summary& s) {
+  fmt::print("{}: {:g} of {:g} s in {} steps, energy balance {:.2g} J of {:.3g} J exchanged\n",
+             s.reason, s.t_end, s.t_asked, s.steps, s.energy_balance, s.energy_exchanged);
+  fmt::print("degrees of freedom: {}\n", s.degrees_of_freedom);
+}
+
+/// What every user should know of the mechanism; the same under every law but for the times.
+void print_findings(const Summary& s, const std::string& who) {
+  if (!s.redundant_equations.empty())
+    fmt::print("{}redundant, left out: {}\n", who, fmt::join(s.redundant_equations, ", "));
+  if (!s.not_unique_reactions.empty())
+    fmt::print("{}not unique, one possibility of many: {}\n", who,
+               fmt::join(s.not_unique_reactions, ", "));
+  for (const SingularPosition& p : s.singular_positions)
+    fmt::print("{}singular position at t = {:.9g} s ('{}'), energy changed by {:.1e} J\n", who, p.t,
+               p.equation, p.energy_after - p.energy_before);
+}
+
+}  // namespace
+
+void write_run(const Case& c, const RunRequest& request, const LawRun& run,
+               const std::filesystem::path& folder) {
+  make_output_folder(folder);
+  // The small files first: on a full disk they say how far the large one should have got.
+  write_text(folder / "summary.json", summary_json(c, request, run));
+  write_events(run.events, folder / "events.csv");
+  run.motion().every(run.stride).write_csv(folder / "motion.csv");
+}
+
+void print_report(const std::vector<LawRun>& runs) {
+  const bool choice = runs.size() > 1 || !runs.front().law.empty();
+  const bool contacts = std::ranges::any_of(runs, [](const LawRun& r) { return !r.contacts.empty(); });
+  if (choice || contacts) print_table(runs);
+  for (const LawRun& run : runs) {
+    if (!run.done) continue;
+    if (!choice) print_summary(run.summary);
+    print_findings(run.summary, choice ? label(run) + ": " : "");
+  }
+  for (const LawRun& run : runs)
+    if (run.verification) print_verification(label(run), *run.verification);
+  if (!choice) return;
+  for (const LawRun& run : runs)
+    if (run.done && !run.summary.ok())
+      fmt::print("{}: stopped at t = {:.6g} s of {:.6g} s: {}\n", run.law, run.summary.t_end,
+                 run.summary.t_asked, run.summary.reason);
+}
+
+void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path) {
+  std::string text =
+      "law,stop,t_end_s,peak_force_N,largest_penetration_m,contacts,steps,rejected,"
+      "energy_balance_J,position_violation,wall_time_s";
+  std::vector<std::string> elements;
+  for (const LawRun& run : runs)
+    if (elements.empty())
+      for (const ContactRecord& r : run.contacts) elements.push_back(r.element);
+  if (elements.size() > 1)
+    for (const std::string& e : elements)
+      text += fmt::format(",{0}.peak_force_N,{0}.largest_penetration_m,{0}.contacts", e);
+  for (const LawRun& run : runs) {
+    if (!run.done) continue;
+    const Summary& s = run.summary;
+    text += fmt::format("\n\"{}\",{},{},{},{},{},{},{},{},{},{:.3f}", run.law,
+                        s.ok() ? "completed" : s.stop == Stop::interrupted ? "interrupted" : "failed",
+                        s.t_end, run.peak_force(), run.largest_penetration(), run.onsets(), s.steps,
+                        s.rejected, s.energy_balance, s.position_violation, s.wall_time);
+    if (elements.size() > 1)
+      for (const ContactRecord& r : run.contacts)
+        text += fmt::format(",{},{},{}", r.peak_force, r.largest_penetration, r.onsets);
+  }
+  write_text(path, text);
+}
+
+}  // namespace yoke::cases

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What a job writes and prints about its runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/cases/jobs/law_run.hpp>
+
+namespace yoke::cases {
+
+/// Writes summary.json, events.csv and motion.csv into `folder`. Throws OutputError.
+void write_run(const Case& c, const RunRequest& request, const LawRun& run,
+               const std::filesystem::path& folder);
+
+/// Peak force, deepest penetration, contacts, cost and accuracy of each law, a line a law; for a
+/// case without a choice of laws what became of its run. Then the agreement that --verify found,
+/// and what every user should know: redundant equations, singular positions, runs that failed.
+void print_report(const std::vector<LawRun>& runs);
+
+/// The same table as CSV, every contact in columns of its own. Throws OutputError.
+void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path);
+
+}  // namespace yoke::cases

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/jobs/standard_figures.hpp>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace yoke::cases {
+
+namespace {
+
+using Path = std::filesystem::path;
+using Texts = std::vector<std::string>;
+
+constexpr std::size_t most_lines = 8;      // of one panel: more are not told apart
+constexpr std::size_t most_rows = 20001;   // of the data of a contact
+constexpr std::size_t motion_rows = 4001;  // of all other data
+
+// Colours that differ for colour-blind readers too (Okabe and Ito).
+constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                "#e69f00", "#56b4e9", "#000000", "#a0a000"};
+
+/// A name as text between double quotes of gnuplot.
+std::string gnuplot_text(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
+
+std::string style(std::size_t i) {
+  return fmt::format("with lines lc rgb '{}' lw 1.3 dt {}", colours[i % colours.size()],
+                     i / colours.size() + 1);
+}
+
+std::string plot(const Texts& parts) {
+  return fmt::format("  plot {}\n", fmt::join(parts, ", \\\n       "));
+}
+
+/// "contact.csv" of a run that is not the only one is "contact-LAW.csv".
+std::string data_file(const char* stem, const DrawnRun& run) {
+  return run.folder.empty() ? fmt::format("{}.csv", stem) : fmt::format("{}-{}.csv", stem, run.folder);
+}
+
+// ---- what is drawn of a run
+
+double range_of(const Table& samples, const std::string& column) {
+  const Eigen::VectorXd values = samples[column];
+  return values.maxCoeff() - values.minCoeff();
+}
+
+/// The element names of columns that end with `suffix`, in the order of the table.
+Texts owners(const Table& samples, std::string_view suffix) {
+  Texts names;
+  for (const std::string& column : samples.names())
+    if (column.ends_with(suffix)) names.push_back(column.substr(0, column.size() - suffix.size()));
+  return names;
+}
+
+/// At most `most_lines` of the names, those of the largest values, in their order.
+template <class Value>
+Texts largest(const Texts& names, const Value& value) {
+  if (names.size() <= most_lines) return names;
+  std::vector<double> values;
+  for (const std::string& name : names) values.push_back(value(name));
+  std::vector<double> sorted = values;
+  std::ranges::sort(sorted, std::greater<>());
+  Texts kept;
+  for (std::size_t i = 0; i < names.size() && kept.size() < most_lines; ++i)
+    if (values[i] >= sorted[most_lines - 1]) kept.push_back(names[i]);
+  return kept;
+}
+
+Texts bodies_of(const Table& samples) {
+  return largest(owners(samples, ".alpha_rad_per_s2"), [&](const std::string& body) {
+    return range_of(samples, body + ".x_m") + range_of(samples, body + ".y_m");
+  });
+}
+
+double peak_of(const Table& samples, const std::string& joint, const char* what) {
+  return samples[joint + what].cwiseAbs().maxCoeff();
+}
+
+/// Joints that carry a force or a moment.
+Texts joints_of(const Table& samples, bool moment) {
+  Texts names;
+  for (const std::string& joint : owners(samples, ".moment_N_m")) {
+    if (!samples.has(joint + ".fx_N")) continue;
+    const double peak = moment ? peak_of(samples, joint, ".moment_N_m")
+                               : std::max(peak_of(samples, joint, ".fx_N"),
+                                          peak_of(samples, joint, ".fy_N"));
+    if (peak > 0.0) names.push_back(joint);
+  }
+  return largest(names, [&](const std::string& joint) {
+    return moment ? peak_of(samples, joint, ".moment_N_m")
+                  : std::hypot(peak_of(samples, joint, ".fx_N"), peak_of(samples, joint, ".fy_N"));
+  });
+}
+
+constexpr std::array body_quantities = {"x_m",        "y_m",         "angle_rad",
+                                        "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s"};
+
+/// The terms of the energy ledger that are not zero throughout.
+Texts energies_of(const Table& samples) {
+  Texts names;
+  for (const char* name : {"kinetic", "potential", "stored", "dissipated", "work"})
+    if (samples[std::string(name) + "_J"].cwiseAbs().maxCoeff() > 0.0) names.emplace_back(name);
+  return names;
+}
+
+/// The columns of the table that the figures use, with the magnitude of each joint's force.
+void write_motion(const Table& samples, const DrawnRun& drawn, const Path& path) {
+  std::vector<std::size_t> columns{samples.index("t_s")};
+  std::vector<std::pair<std::size_t, std::size_t>> forces;
+  std::string text = "t_s";
+  const auto add = [&](const std::string& name) {
+    columns.push_back(samples.index(name));
+    text += "," + name;
+  };
+  for (const std::string& body : drawn.bodies)
+    for (const char* quantity : body_quantities) add(body + "." + quantity);
+  for (const std::string& joint : drawn.moments) add(joint + ".moment_N_m");
+  for (const std::string& energy : drawn.energies) add(energy + "_J");
+  add("balance_J");
+  for (const std::string& joint : drawn.forces) {
+    forces.emplace_back(samples.index(joint + ".fx_N"), samples.index(joint + ".fy_N"));
+    text += "," + joint + ".force_N";
+  }
+  const std::size_t every = std::max<std::size_t>(1, (samples.rows() - 1) / (motion_rows - 1));
+  for (std::size_t i = 0; i < samples.rows(); i += every) {
+    char separator = '\n';
+    const auto append = [&](double value) {
+      fmt::format_to(std::back_inserter(text), "{}{:.7g}", separator, value);
+      separator = ',';
+    };
+    for (const std::size_t j : columns) append(samples.value(i, j));
+    for (const auto& [x, y] : forces) append(std::hypot(samples.value(i, x), samples.value(i, y)));
+  }
+  write_text(path, text);
+}
+
+/// Force and penetration of every contact.
+void write_contacts(const LawRun& run, const Path& path) {
+  const Table& samples = run.samples;
+  std::string text = "t_s";
+  std::vector<std::pair<std::size_t, std::size_t>> columns;
+  for (const ContactRecord& c : run.contacts) {
+    columns.emplace_back(samples.index(c.element + ".normal_force_N"),
+                         samples.index(c.element + ".penetration_m"));
+    text += fmt::format(",{0}.normal_force_N,{0}.penetration_um", c.element);
+  }
+  const std::size_t time = samples.index("t_s");
+  const std::size_t every = std::max<std::size_t>(1, (samples.rows() - 1) / (most_rows - 1));
+  for (std::size_t i = 0; i < samples.rows(); i += every) {
+    fmt::format_to(std::back_inserter(text), "\n{:.9g}", samples.value(i, time));
+    for (const auto& [force, penetration] : columns)
+      fmt::format_to(std::back_inserter(text), ",{:.7g},{:.7g}", samples.value(i, force),
+                     1e6 * std::max(0.0, samples.value(i, penetration)));
+  }
+  write_text(path, text);
+}
+
+/// The contact in which the largest force was recorded, from onset to release.
+void write_hardest(const LawRun& run, const Path& path) {
+  const Table& samples = run.samples;
+  std::string text = "t_s,penetration_um,force_N";
+  const auto hardest = std::ranges::max_element(run.contacts, {}, &ContactRecord::peak_force);
+  const auto force = samples[hardest->element + ".normal_force_N"];
+  const auto penetration = samples[hardest->element + ".penetration_m"];
+  const auto t = samples["t_s"];
+  Eigen::Index peak = 0;
+  force.maxCoeff(&peak);
+  for (const ContactSpell& spell : contact_spells(run, t[0], t[t.size() - 1], hardest->element)) {
+    const auto first = static_cast<Eigen::Index>(spell.first);
+    const auto last = static_cast<Eigen::Index>(spell.last);
+    if (peak < first || peak >= last) continue;
+    // A contact that lasts is thinned; the loop starts and ends at nothing.
+    const Eigen::Index every = std::max<Eigen::Index>(1, (last - first) / 4000);
+    text += fmt::format("\n{:.9g},0,0", t[first]);
+    for (Eigen::Index i = first; i < last; i += every)
+      text += fmt::format("\n{:.9g},{:.7g},{:.7g}", t[i], 1e6 * penetration[i], force[i]);
+    text += fmt::format("\n{:.9g},0,0", t[last - 1]);
+  }
+  write_text(path, text);
+}
+
+// ---- figures
+
+constexpr const char* time_axis = "  set xlabel 'time [s]'\n";
+
+constexpr double bottom_margin = 70.0, top_margin = 50.0;  // [pixels]
+
+double panel_height(std::size_t panels) {
+  return top_margin + bottom_margin + (panels > 3 ? 170.0 : 270.0) * static_cast<double>(panels);
+}
+
+/// Panels one above the other over the time, each with a label and lines.
+struct Panel {
+  std::string label;  // "[m]"
+  Texts lines;
+};
+
+/// `legend`: the lines are the same in every panel and named once, beside the first; else each panel
+/// names its own inside.
+std::string panels(const std::string& title, const std::vector<Panel>& all, bool legend) {
+  std::string body = fmt::format(
+      "  set multiplot layout {},1 margins 0.1,{},{:.4g},{:.4g} spacing 0,0.02 title {} noenhanced\n"
+      "  set key noenhanced; set xtics format ''; unset xlabel; set autoscale xfix\n",
+      all.size(), legend ? 0.8 : 0.97, bottom_margin / panel_height(all.size()),
+      1.0 - top_margin / panel_height(all.size()), gnuplot_text(title));
+  if (!legend) body += "  set key inside top right opaque\n";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i + 1 == all.size()) body += fmt::format("  set xtics format '%g'\n{}", time_axis);
+    if (legend && i > 0 && all[i].lines.size() == all[0].lines.size()) body += "  unset key\n";
+    body += fmt::format("  set ylabel {} noenhanced\n", gnuplot_text(all[i].label)) +
+            plot(all[i].lines);
+  }
+  return body + "  unset multiplot";
+}
+
+/// One line of a panel: a column of a file, by its name.
+std::string line(const std::string& file, const std::string& column, const std::string& title,
+                 std::size_t i) {
+  return fmt::format("{} using \"t_s\":{} title {} {}", gnuplot_text(file), gnuplot_text(column), gnuplot_text(title),
+                     style(i));
+}
+
+Panel body_panel(const DrawnRun& run, const std::string& label, const char* quantity) {
+  Panel panel{label, {}};
+  for (std::size_t i = 0; i < run.bodies.size(); ++i)
+    panel.lines.push_back(
+        line(data_file("motion", run), run.bodies[i] + "." + quantity, run.bodies[i], i));
+  return panel;
+}
+
+Figure panel_figure(const std::string& name, const std::string& title,
+                    const std::vector<Panel>& all, bool legend = true) {
+  return {.name = name,
+          .title = title,
+          .height = static_cast<int>(panel_height(all.size())),
+          .body = panels(title, all, legend)};
+}
+
+Figure energy_figure(const DrawnRun& run, const std::string& title) {
+  const std::string file = data_file("motion", run);
+  Panel terms{"energy [J]", {}}, balance{"balance [J]", {}};
+  std::size_t i = 0;
+  for (const std::string& energy : run.energies)
+    terms.lines.push_back(line(file, energy + "_J", energy == "stored" ? "stored in contacts" : energy, i++));
+  balance.lines.push_back(line(file, "balance_J", "error of the balance", i));
+  return panel_figure("energy", title, {terms, balance});
+}
+
+/// A panel for each law, all with the same axis: bouncing curves on one axis hide each other.
+Figure law_panels(const std::string& name, const std::string& title, const std::string& label,
+                  const std::vector<DrawnRun>& runs, const char* column) {
+  std::vector<Panel> all;
+  for (const DrawnRun& run : runs) {
+    Panel panel{label, {}};
+    std::size_t i = 0;
+    for (const ContactRecord& c : run.contacts) {
+      const std::string text = runs.size() == 1          ? c.element
+                               : run.contacts.size() == 1 ? run.law
+                                                          : run.law + ": " + c.element;
+      panel.lines.push_back(line(data_file("contact", run), c.element + column, text, i++));
+    }
+    all.push_back(panel);
+  }
+  Figure figure = panel_figure(name, title, all, false);
+  // The largest value of all laws bounds every panel.
+  std::string range = "  top = 0\n";
+  for (const DrawnRun& run : runs)
+    for (const ContactRecord& c : run.contacts)
+      range += fmt::format(
+          "  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
+          gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
+  figure.body = range + "  set yrange [0:top > 0 ? 1.05*top : 1]\n" + figure.body;
+  return figure;
+}
+
+Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
+  Texts lines;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    lines.push_back(fmt::format("{} using \"penetration_um\":\"force_N\" title {} {}",
+                                gnuplot_text(data_file("hardest", runs[i])),
+                                gnuplot_text(runs[i].law.empty() ? "contact" : runs[i].law), style(i)));
+  return {.name = "hysteresis",
+          .title = title,
+          .width = 1000,
+          .height = 700 + 20 * static_cast<int>(runs.size()),
+          .body = fmt::format("  set key noenhanced below left vertical maxcols 1; set title {} noenhanced\n"
+                              "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
+                              "  set xrange [0:*]; set yrange [0:*]\n{}",
+                              gnuplot_text(title), plot(lines))};
+}
+
+}  // namespace
+
+DrawnRun write_standard_data(const LawRun& run, const Path& folder) {
+  DrawnRun drawn{.law = run.law, .folder = run.folder, .contacts = run.contacts};
+  if (run.samples.rows() < 2) return drawn;
+  make_output_folder(folder);
+  drawn.bodies = bodies_of(run.samples);
+  drawn.forces = joints_of(run.samples, false);
+  drawn.moments = joints_of(run.samples, true);
+  drawn.energies = energies_of(run.samples);
+  write_motion(run.samples, drawn, folder / data_file("motion", drawn));
+  if (run.contacts.empty()) return drawn;
+  write_contacts(run, folder / data_file("contact", drawn));
+  write_hardest(run, folder / data_file("hardest", drawn));
+  return drawn;
+}
+
+std::vector<Figure> standard_figures(const std::string& case_name,
+                                     const std::vector<DrawnRun>& runs) {
+  const DrawnRun& first = runs.front();
+  const auto title = [&](const std::string& what) {
+    return case_name + ": " + what + (first.law.empty() ? "" : ", " + first.law);
+  };
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, const std::string& what,
+                       const std::vector<Panel>& all) {
+    figures.push_back(panel_figure(name, title(what), all));
+  };
+  if (!first.bodies.empty()) {
+    add("motion", "motion of the bodies",
+        {body_panel(first, "x [m]", "x_m"), body_panel(first, "y [m]", "y_m"),
+         body_panel(first, "angle [rad]", "angle_rad")});
+    add("velocities", "velocities of the bodies",
+        {body_panel(first, "v_x [m/s]", "vx_m_per_s"),
+         body_panel(first, "v_y [m/s]", "vy_m_per_s"),
+         body_panel(first, "omega [rad/s]", "omega_rad_per_s")});
+  }
+  std::vector<Panel> reactions;
+  const auto joints = [&](const Texts& names, const std::string& label, const char* column) {
+    if (names.empty()) return;
+    Panel panel{label, {}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+      panel.lines.push_back(line(data_file("motion", first), names[i] + column, names[i], i));
+    reactions.push_back(panel);
+  };
+  joints(first.forces, "force [N]", ".force_N");
+  joints(first.moments, "moment [N m]", ".moment_N_m");
+  if (!reactions.empty()) add("reactions", "reactions of the joints", reactions);
+  figures.push_back(energy_figure(first, title("energy")));
+  if (!first.contacts.empty()) {
+    figures.push_back(law_panels("contact_force", case_name + ": contact force",
+                                 "[N]", runs, ".normal_force_N"));
+    figures.push_back(law_panels("penetration", case_name + ": penetration", "[µm]", runs,
+                                 ".penetration_um"));
+    figures.push_back(hysteresis(runs, case_name + ": the contact with the largest force"));
+  }
+  return figures;
+}
+
+}  // namespace yoke::cases

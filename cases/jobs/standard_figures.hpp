@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The figures every case gets: motion, velocities, reactions, energy; with contacts also contact
+// force and penetration of each law and the loop of its hardest contact.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <yoke/cases/jobs/law_run.hpp>
+#include <yoke/cases/jobs/plot.hpp>
+
+namespace yoke::cases {
+
+/// What the figures of one run show; its data is in the folder of the plots.
+struct DrawnRun {
+  std::string law, folder;
+  std::vector<ContactRecord> contacts{};
+  std::vector<std::string> bodies{};
+  std::vector<std::string> forces{}, moments{};  // joints that carry a force, a moment
+  std::vector<std::string> energies{};           // terms of the ledger: "kinetic"
+};
+
+/// Writes the data of one run for the figures into `folder`. Throws OutputError.
+DrawnRun write_standard_data(const LawRun& run, const std::filesystem::path& folder);
+
+/// The figures of runs whose data was written. Motion, velocities, reactions and energy are those
+/// of the first run.
+std::vector<Figure> standard_figures(const std::string& case_name,
+                                     const std::vector<DrawnRun>& runs);
+
+}  // namespace yoke::cases
