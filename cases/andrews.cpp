@@ -285,9 +285,8 @@ AndrewsState andrews_by_published_equations(double t) {
 }
 
 Case andrews_case() {
-  return case_without_choices("andrews",
-                              "Andrews' squeezing mechanism: seven bodies, three closed loops",
-                              andrews, "0.03");
+  return case_without_choices(
+      "andrews", "Andrews' squeezing mechanism: seven bodies, three closed loops", andrews, "0.03");
 }
 
 }  // namespace yoke::cases

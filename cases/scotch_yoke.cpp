@@ -326,10 +326,8 @@ Case scotch_yoke_case() {
                 return scotch_yoke(choices, slot_laws(choices, laws));
               },
           .duration = [](const Parameters& p) { return ScotchYoke(p).end_time(); },
-          .columns =
-              [](const Parameters& p, const Model& model) {
-                return motion_columns(ScotchYoke(p), model);
-              },
+          .columns = [](const Parameters& p,
+                        const Model& model) { return motion_columns(ScotchYoke(p), model); },
           // 50 or more in the shortest impact; long runs less densely, to bound the memory.
           .recorded_rows =
               [](const Parameters& p) {

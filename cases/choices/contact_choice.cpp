@@ -100,10 +100,9 @@ Texts dissipative_names() {
 [[noreturn]] void throw_unknown(const ContactChoice& contact, std::string_view name) {
   Texts catalogue = elastic_names();
   for (const std::string& other : dissipative_names()) catalogue.push_back(other);
-  throw ModelError(
-      fmt::format("unknown law '{}'{}", name,
-                  hint(name, names_of(contact), catalogue,
-                       ", and the laws of 'yoke law list', as hertz+flores:e=0.8")));
+  throw ModelError(fmt::format("unknown law '{}'{}", name,
+                               hint(name, names_of(contact), catalogue,
+                                    ", and the laws of 'yoke law list', as hertz+flores:e=0.8")));
 }
 
 // ---- arguments
@@ -126,10 +125,9 @@ std::vector<Argument> arguments_of(const std::string& law, const std::string& te
 
 [[noreturn]] void throw_argument(const std::string& law, const std::string& name,
                                  const Texts& known) {
-  throw ModelError(known.empty()
-                       ? fmt::format("law '{}' takes no arguments, not '{}'", law, name)
-                       : fmt::format("law '{}': unknown argument '{}'{}", law, name,
-                                     suggestion(name, known)));
+  throw ModelError(known.empty() ? fmt::format("law '{}' takes no arguments, not '{}'", law, name)
+                                 : fmt::format("law '{}': unknown argument '{}'{}", law, name,
+                                               suggestion(name, known)));
 }
 
 ElasticLaw elastic_of(const Part& part, const Wall& wall) {
@@ -211,8 +209,8 @@ DissipativeLaw dissipative_of(const Part& part) {
   }
   if (delivers) return calibrated(part.name, *delivers, a);
   if (takes_restitution && !has_restitution && !a.alpha && !a.empirical)
-    throw ModelError(fmt::format("law '{0}': its restitution is missing; for instance {0}:e=0.8",
-                                 part.name));
+    throw ModelError(
+        fmt::format("law '{0}': its restitution is missing; for instance {0}:e=0.8", part.name));
   return make_dissipative(part.name, a);
 }
 
@@ -237,12 +235,14 @@ ContactLaw make_law(const ContactChoice& contact, const Parameters& parameters, 
                       first.name));
     if (elastic) return {elastic_of(first, wall), base().dissipation};
     if (dissipative) return {base().elastic, dissipative_of(first)};
-    if (named != nullptr) throw_argument(first.name, arguments_of(first.name, first.arguments)[0].name, {});
+    if (named != nullptr)
+      throw_argument(first.name, arguments_of(first.name, first.arguments)[0].name, {});
     throw_unknown(contact, first.name);
   }
   const Part second = part_of(text.substr(plus + 1));
   if (!bare_name && !is_elastic(first.name)) {
-    if (named != nullptr) throw_argument(first.name, arguments_of(first.name, first.arguments)[0].name, {});
+    if (named != nullptr)
+      throw_argument(first.name, arguments_of(first.name, first.arguments)[0].name, {});
     throw ModelError(fmt::format("unknown elastic law '{}'{}", first.name,
                                  hint(first.name, names_of(contact), elastic_names(),
                                       ", and the elastic laws of 'yoke law list'")));
@@ -269,8 +269,8 @@ ByWall split_by_wall(std::string_view text, const std::vector<Wall>& walls) {
     const std::size_t equals = piece.find('=');
     const auto wall = std::ranges::find(walls, piece.substr(0, equals), &Wall::name);
     if (equals != std::string::npos && wall != walls.end()) {
-      if (std::ranges::find(by_wall.single, wall->name, &std::pair<std::string, std::string>::first) !=
-          by_wall.single.end())
+      if (std::ranges::find(by_wall.single, wall->name,
+                            &std::pair<std::string, std::string>::first) != by_wall.single.end())
         throw ModelError(fmt::format("--law {}: wall '{}' is given twice", text, wall->name));
       by_wall.single.emplace_back(wall->name, piece.substr(equals + 1));
       current = &by_wall.single.back().second;
@@ -311,8 +311,7 @@ std::vector<std::string> choose_laws(const ContactChoice& contact,
                                      const std::vector<std::string>& laws) {
   Texts chosen;
   for (const NamedLaw& law : contact.laws)
-    if (laws.empty() || std::ranges::find(laws, law.name) != laws.end())
-      chosen.push_back(law.name);
+    if (laws.empty() || std::ranges::find(laws, law.name) != laws.end()) chosen.push_back(law.name);
   for (const std::string& law : laws) {
     const bool specification = law.find_first_of(":+=,") != std::string::npos;
     if (!specification && find_named(contact, law) == nullptr && !is_elastic(law) &&
@@ -348,7 +347,8 @@ std::vector<std::string> folder_names(const std::vector<std::string>& specificat
   Texts names;
   for (const std::string& specification : specifications) {
     std::string name = specification.substr(0, longest);
-    std::ranges::replace_if(name, [&](char c) { return !plain(c); }, '_');
+    std::ranges::replace_if(
+        name, [&](char c) { return !plain(c); }, '_');
     const std::string stem = name;
     for (int n = 2; name == "plots" || std::ranges::find(names, name) != names.end(); ++n)
       name = fmt::format("{}-{}", stem, n);

@@ -44,9 +44,8 @@ std::vector<ContactRecord> contact_records(const std::vector<std::string>& names
       r.peak_force = run.samples[name + ".normal_force_N"].maxCoeff();
       r.largest_penetration = std::max(0.0, run.samples[name + ".penetration_m"].maxCoeff());
     }
-    r.onsets = std::ranges::count_if(run.events, [&](const EventRecord& e) {
-      return e.element == name && e.kind == "onset";
-    });
+    r.onsets = std::ranges::count_if(
+        run.events, [&](const EventRecord& e) { return e.element == name && e.kind == "onset"; });
     records.push_back(r);
   }
   return records;
@@ -99,12 +98,13 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   const std::vector<std::string> contacts = contact_names(model);
   LawRun run{.law = law, .done = true};
   if (!contacts.empty())
-    run.stride = choose_stride(request.samples, c.recorded_rows ? c.recorded_rows(request.parameters)
-                                                                : recorded_by_default);
+    run.stride =
+        choose_stride(request.samples,
+                      c.recorded_rows ? c.recorded_rows(request.parameters) : recorded_by_default);
   const int samples =
       request.samples > 0 ? (request.samples - 1) * static_cast<int>(run.stride) + 1 : 0;
-  SimulationOptions options = simulation_options(request, c.duration(request.parameters), samples,
-                                                 request.output);
+  SimulationOptions options =
+      simulation_options(request, c.duration(request.parameters), samples, request.output);
   options.observer = std::move(observer);
   Result result = simulate(model, options);
   if (request.verify && result.summary.ok()) {

@@ -103,7 +103,8 @@ void write_run(const Case& c, const RunRequest& request, const LawRun& run,
 
 void print_report(const std::vector<LawRun>& runs) {
   const bool choice = runs.size() > 1 || !runs.front().law.empty();
-  const bool contacts = std::ranges::any_of(runs, [](const LawRun& r) { return !r.contacts.empty(); });
+  const bool contacts =
+      std::ranges::any_of(runs, [](const LawRun& r) { return !r.contacts.empty(); });
   if (choice || contacts) print_table(runs);
   for (const LawRun& run : runs) {
     if (!run.done) continue;
@@ -134,7 +135,9 @@ void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::pa
     if (!run.done) continue;
     const Summary& s = run.summary;
     text += fmt::format("\n\"{}\",{},{},{},{},{},{},{},{},{},{:.3f}", run.law,
-                        s.ok() ? "completed" : s.stop == Stop::interrupted ? "interrupted" : "failed",
+                        s.ok()                        ? "completed"
+                        : s.stop == Stop::interrupted ? "interrupted"
+                                                      : "failed",
                         s.t_end, run.peak_force(), run.largest_penetration(), run.onsets(), s.steps,
                         s.rejected, s.energy_balance, s.position_violation, s.wall_time);
     if (elements.size() > 1)

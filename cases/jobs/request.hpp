@@ -16,9 +16,9 @@ namespace yoke::cases {
 
 struct RunRequest {
   Parameters parameters;
-  std::vector<std::string> laws;  // specifications; empty: a case without a choice of laws
-  std::filesystem::path output;   // folder for the results
-  int samples = 4001;             // rows of motion.csv, uniform in time, both ends
+  std::vector<std::string> laws;      // specifications; empty: a case without a choice of laws
+  std::filesystem::path output;       // folder for the results
+  int samples = 4001;                 // rows of motion.csv, uniform in time, both ends
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;

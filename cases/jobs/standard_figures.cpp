@@ -44,7 +44,8 @@ std::string plot(const Texts& parts) {
 
 /// "contact.csv" of a run that is not the only one is "contact-LAW.csv".
 std::string data_file(const char* stem, const DrawnRun& run) {
-  return run.folder.empty() ? fmt::format("{}.csv", stem) : fmt::format("{}-{}.csv", stem, run.folder);
+  return run.folder.empty() ? fmt::format("{}.csv", stem)
+                            : fmt::format("{}-{}.csv", stem, run.folder);
 }
 
 // ---- what is drawn of a run
@@ -91,9 +92,9 @@ Texts joints_of(const Table& samples, bool moment) {
   Texts names;
   for (const std::string& joint : owners(samples, ".moment_N_m")) {
     if (!samples.has(joint + ".fx_N")) continue;
-    const double peak = moment ? peak_of(samples, joint, ".moment_N_m")
-                               : std::max(peak_of(samples, joint, ".fx_N"),
-                                          peak_of(samples, joint, ".fy_N"));
+    const double peak =
+        moment ? peak_of(samples, joint, ".moment_N_m")
+               : std::max(peak_of(samples, joint, ".fx_N"), peak_of(samples, joint, ".fy_N"));
     if (peak > 0.0) names.push_back(joint);
   }
   return largest(names, [&](const std::string& joint) {
@@ -102,7 +103,7 @@ Texts joints_of(const Table& samples, bool moment) {
   });
 }
 
-constexpr std::array body_quantities = {"x_m",        "y_m",         "angle_rad",
+constexpr std::array body_quantities = {"x_m",        "y_m",        "angle_rad",
                                         "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s"};
 
 /// The terms of the energy ledger that are not zero throughout.
@@ -203,9 +204,10 @@ double panel_height(std::size_t panels) {
 struct Panel {
   std::string label;  // "[m]"
   Texts lines;
+  Texts names{};  // of the lines, if other panels may have the same
 };
 
-/// `legend`: the lines are the same in every panel and named once, beside the first; else each panel
+/// `legend`: lines are named beside the panels, once if they are the same in all; else each panel
 /// names its own inside.
 std::string panels(const std::string& title, const std::vector<Panel>& all, bool legend) {
   std::string body = fmt::format(
@@ -216,7 +218,7 @@ std::string panels(const std::string& title, const std::vector<Panel>& all, bool
   if (!legend) body += "  set key inside top right opaque\n";
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i + 1 == all.size()) body += fmt::format("  set xtics format '%g'\n{}", time_axis);
-    if (legend && i > 0 && all[i].lines.size() == all[0].lines.size()) body += "  unset key\n";
+    if (legend && i > 0 && all[i].names == all[i - 1].names) body += "  unset key\n";
     body += fmt::format("  set ylabel {} noenhanced\n", gnuplot_text(all[i].label)) +
             plot(all[i].lines);
   }
@@ -226,12 +228,12 @@ std::string panels(const std::string& title, const std::vector<Panel>& all, bool
 /// One line of a panel: a column of a file, by its name.
 std::string line(const std::string& file, const std::string& column, const std::string& title,
                  std::size_t i) {
-  return fmt::format("{} using \"t_s\":{} title {} {}", gnuplot_text(file), gnuplot_text(column), gnuplot_text(title),
-                     style(i));
+  return fmt::format("{} using \"t_s\":{} title {} {}", gnuplot_text(file), gnuplot_text(column),
+                     gnuplot_text(title), style(i));
 }
 
 Panel body_panel(const DrawnRun& run, const std::string& label, const char* quantity) {
-  Panel panel{label, {}};
+  Panel panel{label, {}, run.bodies};
   for (std::size_t i = 0; i < run.bodies.size(); ++i)
     panel.lines.push_back(
         line(data_file("motion", run), run.bodies[i] + "." + quantity, run.bodies[i], i));
@@ -248,10 +250,11 @@ Figure panel_figure(const std::string& name, const std::string& title,
 
 Figure energy_figure(const DrawnRun& run, const std::string& title) {
   const std::string file = data_file("motion", run);
-  Panel terms{"energy [J]", {}}, balance{"balance [J]", {}};
+  Panel terms{"energy [J]", {}, run.energies}, balance{"balance [J]", {}, {"balance"}};
   std::size_t i = 0;
   for (const std::string& energy : run.energies)
-    terms.lines.push_back(line(file, energy + "_J", energy == "stored" ? "stored in contacts" : energy, i++));
+    terms.lines.push_back(
+        line(file, energy + "_J", energy == "stored" ? "stored in contacts" : energy, i++));
   balance.lines.push_back(line(file, "balance_J", "error of the balance", i));
   return panel_figure("energy", title, {terms, balance});
 }
@@ -264,7 +267,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
     Panel panel{label, {}};
     std::size_t i = 0;
     for (const ContactRecord& c : run.contacts) {
-      const std::string text = runs.size() == 1          ? c.element
+      const std::string text = runs.size() == 1           ? c.element
                                : run.contacts.size() == 1 ? run.law
                                                           : run.law + ": " + c.element;
       panel.lines.push_back(line(data_file("contact", run), c.element + column, text, i++));
@@ -276,9 +279,9 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
   std::string range = "  top = 0\n";
   for (const DrawnRun& run : runs)
     for (const ContactRecord& c : run.contacts)
-      range += fmt::format(
-          "  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
-          gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
+      range +=
+          fmt::format("  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
+                      gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
   figure.body = range + "  set yrange [0:top > 0 ? 1.05*top : 1]\n" + figure.body;
   return figure;
 }
@@ -288,15 +291,17 @@ Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
   for (std::size_t i = 0; i < runs.size(); ++i)
     lines.push_back(fmt::format("{} using \"penetration_um\":\"force_N\" title {} {}",
                                 gnuplot_text(data_file("hardest", runs[i])),
-                                gnuplot_text(runs[i].law.empty() ? "contact" : runs[i].law), style(i)));
+                                gnuplot_text(runs[i].law.empty() ? "contact" : runs[i].law),
+                                style(i)));
   return {.name = "hysteresis",
           .title = title,
           .width = 1000,
           .height = 700 + 20 * static_cast<int>(runs.size()),
-          .body = fmt::format("  set key noenhanced below left vertical maxcols 1; set title {} noenhanced\n"
-                              "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
-                              "  set xrange [0:*]; set yrange [0:*]\n{}",
-                              gnuplot_text(title), plot(lines))};
+          .body = fmt::format(
+              "  set key noenhanced below left vertical maxcols 1; set title {} noenhanced\n"
+              "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
+              "  set xrange [0:*]; set yrange [0:*]\n{}",
+              gnuplot_text(title), plot(lines))};
 }
 
 }  // namespace
@@ -332,14 +337,13 @@ std::vector<Figure> standard_figures(const std::string& case_name,
         {body_panel(first, "x [m]", "x_m"), body_panel(first, "y [m]", "y_m"),
          body_panel(first, "angle [rad]", "angle_rad")});
     add("velocities", "velocities of the bodies",
-        {body_panel(first, "v_x [m/s]", "vx_m_per_s"),
-         body_panel(first, "v_y [m/s]", "vy_m_per_s"),
+        {body_panel(first, "v_x [m/s]", "vx_m_per_s"), body_panel(first, "v_y [m/s]", "vy_m_per_s"),
          body_panel(first, "omega [rad/s]", "omega_rad_per_s")});
   }
   std::vector<Panel> reactions;
   const auto joints = [&](const Texts& names, const std::string& label, const char* column) {
     if (names.empty()) return;
-    Panel panel{label, {}};
+    Panel panel{label, {}, names};
     for (std::size_t i = 0; i < names.size(); ++i)
       panel.lines.push_back(line(data_file("motion", first), names[i] + column, names[i], i));
     reactions.push_back(panel);
@@ -349,10 +353,10 @@ std::vector<Figure> standard_figures(const std::string& case_name,
   if (!reactions.empty()) add("reactions", "reactions of the joints", reactions);
   figures.push_back(energy_figure(first, title("energy")));
   if (!first.contacts.empty()) {
-    figures.push_back(law_panels("contact_force", case_name + ": contact force",
-                                 "[N]", runs, ".normal_force_N"));
-    figures.push_back(law_panels("penetration", case_name + ": penetration", "[µm]", runs,
-                                 ".penetration_um"));
+    figures.push_back(
+        law_panels("contact_force", case_name + ": contact force", "[N]", runs, ".normal_force_N"));
+    figures.push_back(
+        law_panels("penetration", case_name + ": penetration", "[µm]", runs, ".penetration_um"));
     figures.push_back(hysteresis(runs, case_name + ": the contact with the largest force"));
   }
   return figures;

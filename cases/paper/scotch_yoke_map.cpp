@@ -43,8 +43,8 @@ void calc_map(const Study& s, std::vector<MapPoint>& points) {
     const ScotchYoke choices(request.parameters);
     for (const std::string& name : names) {
       if (interrupted()) return;
-      const LawRun run =
-          run_law(find_case("scotch_yoke"), request, name, [](const Progress&) { return !interrupted(); });
+      const LawRun run = run_law(find_case("scotch_yoke"), request, name,
+                                 [](const Progress&) { return !interrupted(); });
       p.columns.push_back(run.summary.ok()
                               ? separations(flights_by_angle(choices, run), 120.0, 300.0)
                               : Separations{-1, 0.0});

@@ -88,7 +88,8 @@ std::vector<LawRun> run_laws(const RunRequest& request, const Texts& laws) {
   std::vector<LawRun> runs(laws.size());
   ProgressLine progress(laws);
   run_parallel(laws.size(), request.jobs, [&](std::size_t i) {
-    if (!interrupted()) runs[i] = run_law(find_case("scotch_yoke"), request, laws[i], progress.observer(i));
+    if (!interrupted())
+      runs[i] = run_law(find_case("scotch_yoke"), request, laws[i], progress.observer(i));
   });
   return runs;
 }
@@ -222,7 +223,8 @@ void print_start_angles(Study& s) {
     RunRequest request = with(s.request, {{"start_angle", start}});
     request.samples = 0;
     const ScotchYoke choices(request.parameters);
-    const auto all = flights_by_angle(choices, run_law(find_case("scotch_yoke"), request, "table11-johnson", {}));
+    const auto all = flights_by_angle(
+        choices, run_law(find_case("scotch_yoke"), request, "table11-johnson", {}));
     s.doc.row({start, angles(crossing(all, 0)), angles(crossing(all, 1))});
   }
 }

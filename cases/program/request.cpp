@@ -60,8 +60,7 @@ std::optional<double> checked_spectral_radius(const RequestOptions& o) {
 void print_law_help(const Case& c) {
   if (c.contact.laws.empty()) return;
   fmt::print("\nLaws (--law NAME)\n");
-  for (const NamedLaw& law : c.contact.laws)
-    fmt::print("  {:<28} {}\n", law.name, law.description);
+  for (const NamedLaw& law : c.contact.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
   std::vector<std::string> walls;
   for (const Wall& wall : c.contact.walls(Parameters(c.parameters))) walls.push_back(wall.name);
   fmt::print(
@@ -104,7 +103,9 @@ void add_case_options(CLI::App& verb, RequestOptions& o) {
 
 void add_output_options(CLI::App& verb, RequestOptions& o) {
   verb.add_option("-o,--output", o.output, "Folder for the results")->type_name("DIR");
-  verb.add_option("--law", o.laws, "Contact law: a name of the case, or laws of 'yoke law list' with arguments; repeatable")
+  verb.add_option(
+          "--law", o.laws,
+          "Contact law: a name of the case, or laws of 'yoke law list' with arguments; repeatable")
       ->type_name("LAW")
       ->allow_extra_args(false);
   verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")

@@ -146,8 +146,8 @@ void add_check_verb(CLI::App& app, Action& action) {
       if (options->help) return print_help(*verb, *options);
       const Case& c = find_case(options->case_name);
       const RunRequest request = make_request(c, *options);
-      const Findings f =
-          look_at(make_model(c, request.parameters, options->laws.empty() ? "" : request.laws.front()));
+      const Findings f = look_at(
+          make_model(c, request.parameters, options->laws.empty() ? "" : request.laws.front()));
       if (*format == "json")
         print_json(f);
       else

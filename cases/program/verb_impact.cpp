@@ -12,11 +12,11 @@
 #include <optional>
 #include <string>
 
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/cases/jobs/impact.hpp>
 #include <yoke/cases/jobs/plot.hpp>
 #include <yoke/cases/program/law_options.hpp>
 #include <yoke/cases/program/verb.hpp>
-#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/cases/program/law_options.hpp>
 #include <yoke/cases/program/verb.hpp>
-#include <yoke/cases/choices/quantity.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/contact/laws/catalog/elastic_catalog.hpp>
 #include <yoke/contact/laws/catalog/power_fit.hpp>

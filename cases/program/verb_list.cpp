@@ -18,7 +18,8 @@ int list() {
   for (const Case& c : case_registry()) {
     if (c.contact.laws.empty()) continue;
     fmt::print("\nLaws of {} ('yoke law list' has more for --law)\n", c.name);
-    for (const NamedLaw& law : c.contact.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
+    for (const NamedLaw& law : c.contact.laws)
+      fmt::print("  {:<28} {}\n", law.name, law.description);
   }
   fmt::print("\nFormulations (default: automatic, chosen from the model)\n");
   for (const FormulationNote& f : formulations())

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include <yoke/cases/case.hpp>
-#include <yoke/cases/jobs/progress.hpp>
 
 #include <yoke/contact/geometry/arc_slot.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
@@ -107,20 +106,18 @@ Result run(const Model& m) {
 
 // ---- as a case of the program
 
-cases::RunStatus run_case(const cases::RunRequest& request) {
-  const cases::Parameters& p = request.parameters;
-  const Choices choices{.start_angle = p.number("start_angle")};
-  cases::ProgressLine progress({"pendulum_follower"});
-  const Result result =
-      simulate(mechanism(choices, steel_walls()), {.until = p.number("duration"),
-                                                   .relative_tolerance = request.relative_tolerance,
-                                                   .formulation = request.formulation,
-                                                   .samples = request.samples,
-                                                   .observer = progress.observer(0)});
-  result.write(request.output);
-  fmt::print("{}; results in {}\n", result.summary.reason, request.output.string());
-  if (result.summary.stop == Stop::interrupted) return cases::RunStatus::interrupted;
-  return result.summary.ok() ? cases::RunStatus::completed : cases::RunStatus::failed;
+// Where the pin touches, as an elastic law needs to know it.
+std::vector<cases::Wall> walls(const cases::Parameters&) {
+  const auto wall = [](const char* name, double radius, Conformity conformity) {
+    const RoundPair pair{.pin_radius = 6.0_mm, .wall_radius = radius, .conformity = conformity};
+    return cases::Wall{.name = name, .pair = pair, .length = 10.0_mm};
+  };
+  return {wall("inner", 73.9_mm, Conformity::external),
+          wall("outer", 86.1_mm, Conformity::internal), wall("cap", 6.1_mm, Conformity::internal)};
+}
+
+ContactLaw johnson_on_steel(const cases::Parameters&, const cases::Wall& wall) {
+  return {johnson(wall.pair, wall.length), HuntCrossley{.alpha = 0.32_s_per_m}};
 }
 
 cases::Case pendulum_follower_case() {
@@ -138,13 +135,15 @@ cases::Case pendulum_follower_case() {
                           .low = 0.01,
                           .high = 100.0,
                           .description = "how long to run"}},
-          .laws = {},
+          .contact = {.walls = walls,
+                      .laws = {{"johnson", "Johnson, damping of Hunt-Crossley", johnson_on_steel}}},
           .default_output = "results/pendulum_follower",
           .model =
-              [](const cases::Parameters& p, std::string_view /*law*/) {
-                return mechanism({.start_angle = p.number("start_angle")}, steel_walls());
+              [](const cases::Parameters& p, const cases::WallLaws& laws) {
+                return mechanism({.start_angle = p.number("start_angle")},
+                                 {laws["inner"], laws["outer"], laws["cap"]});
               },
-          .run = run_case};
+          .duration = [](const cases::Parameters& p) { return p.number("duration"); }};
 }
 
 }  // namespace pendulum_follower

@@ -52,8 +52,8 @@ struct Worst {
 inline void check_impact(const std::string& law, const Spring& spring, double e,
                          const Expected& expected, bool clamp, cases::Impact::Setup setup,
                          const std::string& formulation, Worst& worst) {
-  INFO(law, " ", spring.specification, " e = ", e, std::string(clamp ? " clamped " : " "), cases::name_of(setup),
-       " ", formulation);
+  INFO(law, " ", spring.specification, " e = ", e, std::string(clamp ? " clamped " : " "),
+       cases::name_of(setup), " ", formulation);
   const ContactLaw contact{
       make_elastic(spring.specification,
                    {.pin_radius = 7.9e-3, .wall_radius = 8e-3, .length = 10e-3}),

@@ -58,10 +58,10 @@ void write_revolution(const LawRun& run, const ScotchYoke& choices, const Path& 
   Rows rows(
       "angle_deg,force_N,penetration_um,slider_x_mm,slider_v_m_per_s,slider_a_m_per_s2,"
       "deviation_um");
-  const auto angle = run.motion()["crank_angle_relative_rad"], force = run.motion()["normal_force_N"],
-             penetration = run.motion()["penetration_m"], x = run.motion()["slider_x_m"],
-             v = run.motion()["slider_v_m_per_s"], a = run.motion()["slider_a_m_per_s2"],
-             omega = run.motion()["crank_speed_rad_per_s"];
+  const auto angle = run.motion()["crank_angle_relative_rad"],
+             force = run.motion()["normal_force_N"], penetration = run.motion()["penetration_m"],
+             x = run.motion()["slider_x_m"], v = run.motion()["slider_v_m_per_s"],
+             a = run.motion()["slider_a_m_per_s2"], omega = run.motion()["crank_speed_rad_per_s"];
   const Window window = last_revolution(run, choices);
   for (std::size_t row = window.first; row < window.last; ++row) {
     const auto i = static_cast<Eigen::Index>(row);
@@ -151,8 +151,9 @@ std::vector<std::string> curves(const std::vector<std::string>& laws, const Curv
   for (const std::string& law : laws) {
     const CurveStyle style = style_of(law, parts.size());
     parts.push_back(fmt::format(
-        "'{}{}.csv' every {} using {} title \"{}\" noenhanced with lines lc rgb '{}' lw 1.2 dt {}", how.prefix,
-        law, how.every, how.columns, style.title, style.color, style.dashed && how.dashes ? 2 : 1));
+        "'{}{}.csv' every {} using {} title \"{}\" noenhanced with lines lc rgb '{}' lw 1.2 dt {}",
+        how.prefix, law, how.every, how.columns, style.title, style.color,
+        style.dashed && how.dashes ? 2 : 1));
   }
   return parts;
 }
