@@ -163,7 +163,11 @@ ElasticLaw elastic_of(const Part& part, const Wall& wall) {
                      {"reading", "length", "material", "pin_material", "wall_material"});
     }
   }
-  return make_elastic(part.name, a);
+  try {
+    return make_elastic(part.name, a);
+  } catch (const ModelError& error) {  // another wall may suit it
+    throw ModelError(fmt::format("wall '{}': {}", wall.name, error.what()));
+  }
 }
 
 bool parse_yes(const std::string& owner, const std::string& value) {

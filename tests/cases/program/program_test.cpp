@@ -175,7 +175,8 @@ TEST_SUITE("program") {
     CHECK(contains(message("run"), "which case? There are 'scotch_yoke'"));
     CHECK(contains(message("run scotch"), "did you mean 'scotch_yoke'?"));
     CHECK(contains(message("run scotch_yoke --set crank_length=45"), "has no unit"));
-    CHECK(contains(message("run scotch_yoke --law herz"), "unknown law 'herz'; did you mean 'hertz'?"));
+    CHECK(contains(message("run scotch_yoke --law herz"),
+                   "unknown law 'herz'; did you mean 'hertz'?"));
     CHECK(contains(message("run scotch_yoke --formulation ida"), "did you mean 'ida-ggl'?"));
     CHECK(contains(message("run scotch_yoke --rtol 1"), "accepted is 1e-13 to 1e-2"));
     CHECK(contains(message("run scotch_yoke --rtol nan"), "accepted is 1e-13 to 1e-2"));
