@@ -26,6 +26,43 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
     {"cases", {"cases", "core", "joints", "contact", "integrators"}},
 };
 
+// The rooms of each folder from the bottom up: a file sees its own room and those before it. The
+// first room of core and integrators is their surface: its headers are seen by all rooms, its
+// sources see all rooms.
+const std::map<std::string, std::vector<std::string>> room_order = {
+    {"core", {"core", "core/equations", "core/authoring"}},
+    {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
+    {"contact",
+     {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
+      "contact/laws/catalog", "contact/geometry", "contact"}},
+    {"integrators",
+     {"integrators", "integrators/sundials", "integrators/formulations/equations",
+      "integrators/formulations", "integrators/run", "integrators/run/singular",
+      "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
+    {"cases",
+     {"cases/choices", "cases", "cases/jobs", "cases/validation", "cases/paper/figures",
+      "cases/paper", "cases/program", "cases/program/studies"}},
+};
+constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
+
+// The inner headers of integrators/analyses serve it alone and may see what it publishes.
+const std::map<std::string, std::string> inner_rooms = {
+    {"integrators/analyses/details", "integrators/analyses"}};
+
+std::string room_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
+
+bool sees_room(const std::string& path, const std::string& target) {
+  const std::string room = room_of(path), folder = path.substr(0, path.find('/'));
+  const std::vector<std::string>& order = room_order.at(folder);
+  const auto place = [&](const std::string& r) { return std::ranges::find(order, r); };
+  if (target == room || place(target) == order.end()) return target == room;
+  const auto inner = inner_rooms.find(room);
+  if (inner != inner_rooms.end() && inner->second == target) return true;
+  const bool surface = order.front() == folder;  // its sources end what its headers promise
+  if (surface && room == folder) return path.ends_with(".cpp");
+  return place(target) < place(room);
+}
+
 struct File {
   std::string path;  // relative to the root
   std::string folder;
@@ -100,6 +137,8 @@ std::vector<std::string> wrong_includes(const std::string& path, const std::stri
       const std::string target = header.substr(5, header.find('/', 5) - 5);
       if (!contains(allowed_folders.at(file.folder), target)) {
         report(file.folder + " must not see " + target);
+      } else if (target == file.folder && !sees_room(path, room_of(header.substr(5)))) {
+        report(room_of(path) + " must not see " + room_of(header.substr(5)));
       }
     }
     for (const Restriction& r : restrictions) {
@@ -151,6 +190,20 @@ TEST_CASE("structure: folders include only what they may") {
   CHECK(files > 0);
 }
 
+TEST_CASE("structure: every room has its place, and is small enough to be read") {
+  const fs::path root = YOKE_SOURCE_DIR;
+  for (const auto& [folder, order] : room_order) {
+    std::map<std::string, std::size_t> sizes;
+    for (const std::string& path : sources(root, folder))
+      if (path.ends_with(".cpp") || path.ends_with(".hpp")) ++sizes[room_of(path)];
+    for (const auto& [room, size] : sizes) {
+      CHECK_MESSAGE(contains(order, room), room << " is not in room_order");
+      CHECK_MESSAGE(size <= largest_room, room << " has " << size << " files");
+    }
+    for (const std::string& room : order) CHECK_MESSAGE(sizes.count(room) == 1, room);
+  }
+}
+
 TEST_CASE("structure: every file has its licence line") {
   const fs::path root = YOKE_SOURCE_DIR;
   std::vector<std::string> files = {"CMakeLists.txt", "packages.txt", "dev", ".ci/run",
@@ -175,6 +228,14 @@ TEST_CASE("structure: the check sees a wrong arrow") {
   CHECK(count("core/a.cpp", "#include <yoke/cases/scotch_yoke.hpp>\n") == 1);
   CHECK(count("core/a.cpp", "#include \"../joints/weld.hpp\"\n") == 1);
   CHECK(count("cases/a.cpp", "#include <yoke/joints/weld.hpp>\n#include <CLI/CLI.hpp>\n") == 0);
+
+  CHECK(count("contact/laws/a.hpp", "#include <yoke/contact/laws/elastic/johnson.hpp>\n") == 1);
+  CHECK(count("contact/laws/elastic/a.hpp", "#include <yoke/contact/laws/law.hpp>\n") == 0);
+  CHECK(count("cases/a.cpp", "#include <yoke/cases/jobs/job.hpp>\n") == 1);
+  CHECK(count("cases/jobs/a.cpp", "#include <yoke/cases/program/verb.hpp>\n") == 1);
+  CHECK(count("integrators/a.cpp", "#include <yoke/integrators/run/cost.hpp>\n") == 0);
+  CHECK(count("integrators/a.hpp", "#include <yoke/integrators/run/cost.hpp>\n") == 1);
+  CHECK(count("integrators/sundials/a.cpp", "#include <yoke/integrators/run/cost.hpp>\n") == 1);
 
   CHECK(count("integrators/a.cpp", "#include <idas/idas.h>\n") == 0);
   CHECK(count("integrators/a.hpp", "#include <sundials/sundials_types.h>\n") == 1);
