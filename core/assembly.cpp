@@ -8,13 +8,12 @@
 #include <random>
 
 #include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
 
 namespace yoke {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const char* name_of(Coordinate c) {
   return c == Coordinate::x ? "x" : c == Coordinate::y ? "y" : "angle";

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // A verb of the program: `yoke VERB ...`. Each lives in a file of its own, verb_NAME.cpp, and has
-// one line in main.cpp. It adds its subcommand to the parser and sets `action` to what shall happen
+// one line in yoke.cpp. It adds its subcommand to the parser and sets `action` to what shall happen
 // when the user has chosen it.
 #pragma once
 

@@ -27,7 +27,7 @@ namespace {
 constexpr const char* paper_wall_radius = "100mm";
 constexpr const char* paper_length = "1mm";
 
-int list() {
+int list_laws() {
   fmt::print("Elastic laws (--elastic NAME)\n");
   for (const ElasticNote& note : elastic_catalog()) {
     std::vector<std::string> readings;
@@ -209,7 +209,7 @@ void add_law_verb(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand("law", "Contact laws: list, show, evaluate, fit");
   verb->require_subcommand(1);
   verb->add_subcommand("list", "Every elastic and dissipative law")->callback([&action] {
-    action = list;
+    action = list_laws;
   });
 
   CLI::App* show_verb =

@@ -12,7 +12,7 @@ namespace yoke::cases {
 
 namespace {
 
-int list() {
+int list_everything() {
   fmt::print("Cases\n");
   for (const Case& c : case_registry()) fmt::print("  {:<22} {}\n", c.name, c.description);
   for (const Case& c : case_registry()) {
@@ -31,7 +31,7 @@ int list() {
 
 void add_list_verb(CLI::App& app, Action& action) {
   app.add_subcommand("list", "Cases, contact laws and formulations")->callback([&action] {
-    action = list;
+    action = list_everything;
   });
 }
 

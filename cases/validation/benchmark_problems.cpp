@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include <yoke/cases/andrews.hpp>
 #include <yoke/cases/car_axis.hpp>
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/n_four_bar.hpp>

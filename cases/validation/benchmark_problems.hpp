@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <yoke/cases/andrews.hpp>
+#include <yoke/cases/validation/andrews_reference.hpp>
 #include <yoke/cases/validation/benchmark_reference.hpp>
 #include <yoke/core/model.hpp>
 

@@ -8,13 +8,12 @@
 #include <cstring>
 #include <limits>
 
+#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
 
 namespace yoke {
 
 namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int max_projection_iterations = 12;
 constexpr int max_assembly_iterations = 60;
 // Reciprocal condition below which the equations are looked at by a rank-revealing QR.
@@ -171,7 +170,7 @@ double Dynamics::position_tolerance(const double* q) const {
     const double extent = std::max(std::abs(q[i]), std::abs(q[i + 1])) / system_.scales().length;
     size = std::max({size, extent, std::abs(q[i + 2])});
   }
-  return 16.0 * eps * size;
+  return 16.0 * machine_epsilon * size;
 }
 
 bool Dynamics::improve_position(double* q) {

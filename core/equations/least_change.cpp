@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/equations/index.hpp>
+
 namespace yoke {
 
 namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int max_iterations = 300;
 constexpr double smallest_damping = 1e-13;
 constexpr double largest_damping = 1e10;
@@ -113,7 +113,8 @@ bool LeastChange::solve_positions(double t, double* q) {
   double size = 1.0;
   for (std::size_t i = 0; i < n; ++i)
     size = std::max(size, std::abs(q[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
-  const double tolerance = 16.0 * eps * size, good = std::max(tolerance, close_enough * size);
+  const double tolerance = 16.0 * machine_epsilon * size,
+               good = std::max(tolerance, close_enough * size);
   std::vector<double> trial(n);
   double mu = 1e-3;
   evaluate(t, q);

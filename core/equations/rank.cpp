@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/index.hpp>
+
 namespace yoke {
 
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr double dependent_below = 1e-8;
-constexpr double negligible = 1e-9;  // in a null vector whose largest entry is 1
+constexpr double negligible_in_null_vector = 1e-9;  // in a null vector whose largest entry is 1
 
 // G^T with lengths in units of the length scale, every equation normalised to one; `norm` [rows].
 Matrix scaled_transpose(const System& system, const std::vector<char>& ignored,
@@ -102,7 +102,7 @@ RankAnalysis analyse_rank(const System& system, const std::vector<char>& ignored
     Eigen::VectorXd w = qr.null_vector(i - analysis.rank);
     w /= w.cwiseAbs().maxCoeff();
     for (int k = 0; k < system.rows(); ++k)
-      if (std::abs(w[k]) > negligible)
+      if (std::abs(w[k]) > negligible_in_null_vector)
         entries.emplace_back(k, column, norm[at(k)] > 0.0 ? w[k] / norm[at(k)] : w[k]);
     ++column;
   }

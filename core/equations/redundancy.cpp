@@ -8,18 +8,17 @@
 #include <cmath>
 #include <random>
 
+#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
 
 namespace yoke {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 constexpr int tries = 3;
-constexpr double excursion = 0.02;   // length scales or rad, of a look beside the pose
-constexpr double moved = 0.1;        // of the excursion: less is no motion
-constexpr double negligible = 1e-7;  // of the largest part of a null vector
+constexpr double excursion = 0.02;         // length scales or rad, of a look beside the pose
+constexpr double moved = 0.1;              // of the excursion: less is no motion
+constexpr double negligible_share = 1e-7;  // of the largest part of a null vector
 
 double scaled_distance(const System& system, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double largest = 0.0;
@@ -47,9 +46,9 @@ void mark_doubts(const System& system, const RankAnalysis& analysis,
     }
     for (std::size_t i = 0; i < reactions.size(); ++i) {
       const Reaction& r = reactions[i];
-      marks[i].fx |= std::abs(r.force.x()) > negligible * largest;
-      marks[i].fy |= std::abs(r.force.y()) > negligible * largest;
-      marks[i].moment |= std::abs(r.moment) > negligible * length * largest;
+      marks[i].fx |= std::abs(r.force.x()) > negligible_share * largest;
+      marks[i].fy |= std::abs(r.force.y()) > negligible_share * largest;
+      marks[i].moment |= std::abs(r.moment) > negligible_share * length * largest;
     }
   }
 }
@@ -64,11 +63,11 @@ std::string partners_of(const System& system, const RankAnalysis& analysis, int 
       largest = std::max(largest, std::abs(it.value()));
       if (it.row() == row) own = std::abs(it.value());
     }
-    if (own < negligible * largest) continue;
+    if (own < negligible_share * largest) continue;
     std::string names;
     int count = 0;
     for (It it(analysis.null_space, k); it && count < 5; ++it) {
-      if (it.row() == row || std::abs(it.value()) < negligible * largest) continue;
+      if (it.row() == row || std::abs(it.value()) < negligible_share * largest) continue;
       names +=
           (names.empty() ? "'" : ", '") + system.equation_name(static_cast<int>(it.row())) + "'";
       ++count;

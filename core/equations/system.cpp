@@ -6,11 +6,9 @@
 #include <cmath>
 #include <cstring>
 
-namespace yoke {
+#include <yoke/core/equations/index.hpp>
 
-namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace yoke {
 
 System::System(const Model& model) : model_(model) {
   lay_out_bodies();

@@ -2,13 +2,13 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/equilibrium.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include <yoke/integrators/analyses/details/linearisation.hpp>
 #include <yoke/integrators/analyses/details/rest_equations.hpp>
+#include <yoke/integrators/analyses/details/spectrum.hpp>
 #include <yoke/integrators/run/recorder.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 #include <yoke/integrators/sundials/newton.hpp>
@@ -175,17 +175,17 @@ class Solver {
       const Eigen::FullPivLU<Eigen::MatrixXd> own(Eigen::MatrixXd(l.z_z));
       K += l.basis.transpose() * (l.Q_z * own.solve(Eigen::MatrixXd(l.z_q * l.basis)));
     }
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(K);
-    const Vector values = solver.eigenvalues().real();
+    const auto [eigenvalues, vectors] = general_spectrum("equilibrium", K);
+    const Vector values = eigenvalues.real();
     Eigen::Index lowest = 0;
     e_.lowest_stiffness = values.minCoeff(&lowest);
-    const double largest = std::max(solver.eigenvalues().cwiseAbs().maxCoeff(), 1e-12);
+    const double largest = std::max(eigenvalues.cwiseAbs().maxCoeff(), 1e-12);
     e_.stable = values[lowest] > -neutral_below * largest;
     Eigen::Index softest = 0;
     e_.neutral = values.cwiseAbs().minCoeff(&softest) <= neutral_below * largest;
     if (!e_.neutral || options_.allow_neutral) return;
     Eigen::Index which = 0;
-    (l.basis * solver.eigenvectors().col(softest).real()).cwiseAbs().maxCoeff(&which);
+    (l.basis * vectors.col(softest).real()).cwiseAbs().maxCoeff(&which);
     throw ModelError(fmt::format(
         "equilibrium: nothing holds '{}': it can move ({}) without a force; hold it, or "
         "accept it: allow_neutral, --allow-neutral of the program",

@@ -22,7 +22,7 @@ constexpr double history_tolerance = 1e-10;  // for forces with a memory
 // Of the best independence met: below this the powers of drives are lost to rounding, which grows
 // as its power -3/2.
 constexpr double lost_below = 1e-6;
-constexpr double allowed_violation = 1e-6;  // of a given motion, in length scales or rad
+constexpr double allowed_in_motion = 1e-6;  // of a given motion, in length scales or rad
 constexpr double allowed_imbalance = 1e-6;  // of the forces, in parts of the largest
 
 void check_samples(int samples) {
@@ -358,7 +358,7 @@ class DriveSolver {
     std::vector<double> phi(static_cast<std::size_t>(system.rows()));
     system.calc_position_level(phi.data());
     int worst = 0;
-    if (system.norm(phi.data(), &worst) <= allowed_violation) return;
+    if (system.norm(phi.data(), &worst) <= allowed_in_motion) return;
     throw ModelError(fmt::format("{}: the motion given violates '{}' by {:g} {} at t = {:.9g} s",
                                  name, system.equation_name(worst),
                                  phi[static_cast<std::size_t>(worst)],
@@ -479,7 +479,7 @@ Result inverse_dynamics(const Model& model, const InverseDynamicsOptions& option
 Result inverse_dynamics(const Model& model, const Table& motion, const std::vector<Drive>& drives) {
   check_model(model);
   Dynamics dynamics(model);
-  settle(dynamics, model.start_state());
+  prepare_for_rows(dynamics, model.start_state());
   const StoredRows rows(dynamics, motion);
   GivenMotion given(dynamics, drives);
   State state = model.start_state();
@@ -501,7 +501,7 @@ Result inverse_dynamics(const Model& model, const MotionFunction& motion,
           fmt::format("{}: what contact '{}' remembers does not follow from a given motion", name,
                       force->name()));
   Dynamics dynamics(model);
-  settle(dynamics, model.start_state());
+  prepare_for_rows(dynamics, model.start_state());
   GivenMotion given(dynamics, drives);
   for (long i = 0; i < options.samples; ++i) {
     const double t = sample_time(i, options.samples, 0.0, options.until);

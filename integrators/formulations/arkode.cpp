@@ -21,7 +21,7 @@ namespace yoke {
 namespace {
 
 constexpr int max_error_test_failures = 30;
-constexpr ARKODE_ERKTableID method = ARKODE_DORMAND_PRINCE_7_4_5;
+constexpr ARKODE_ERKTableID tableau = ARKODE_DORMAND_PRINCE_7_4_5;
 constexpr int max_polish_iterations = 6;
 // Of the step: secant steps converge with order 1.6, so the next one would move by 1e-11 of it.
 constexpr double polished = 1e-7;
@@ -68,7 +68,7 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
                       2 * dynamics.system().dofs() + dynamics.system().states()),
       projects_(projects),
       stabilisation_(critically_damped(tolerances)),
-      table_(ARKodeButcherTable_LoadERK(method)) {
+      table_(ARKodeButcherTable_LoadERK(tableau)) {
   begin_.assign(static_cast<std::size_t>(size_), 0.0);
   end_ = stage_ = begin_;
   k_.assign(static_cast<std::size_t>(table_->stages), begin_);
@@ -84,7 +84,7 @@ void Arkode::create(double t) {
   memory_ = ERKStepCreate(&Arkode::rates, t, y_, context_);
   context_.report_errors_of(SundialsPackage::arkode, memory_);
   ARKodeSetUserData(memory_, user_data());
-  ERKStepSetTableNum(memory_, method);
+  ERKStepSetTableNum(memory_, tableau);
   ARKodeWFtolerances(memory_, &Arkode::copy_weights);
   ARKodeSetMaxErrTestFails(memory_, max_error_test_failures);
   if (projects_) ARKodeSetPostprocessStepFn(memory_, &Arkode::project);

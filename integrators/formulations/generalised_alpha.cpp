@@ -9,12 +9,12 @@
 #include <limits>
 #include <utility>
 
+#include <yoke/core/equations/index.hpp>
+
 namespace yoke {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int max_newton_iterations = 10;
 constexpr double newton_share = 1e-3;  // of the error allowed in a step
 constexpr double slow = 0.2;           // Newton converging worse than this gets a new matrix
@@ -22,10 +22,10 @@ constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
 constexpr double first_over_delta = 100.0;
 constexpr double noise = 4.0;
-constexpr int max_polish_iterations = 20;
+constexpr int max_root_steps = 20;
 constexpr double largest_turn = 0.25;  // [rad] of a body in a step, where there are events
 constexpr double parts_per_radian = 16.0;
-constexpr double polished = 1e-9;  // of the step
+constexpr double root_accuracy = 1e-9;  // of the step
 
 enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
 
@@ -162,7 +162,7 @@ void GeneralisedAlpha::begin(double t_stop) {
   for (int i = 0; i < n_; ++i)
     if (end_.a[at(i)] != 0.0)
       delta = std::min(delta, std::sqrt(2.0 * tolerances_.q[i] / std::abs(end_.a[at(i)])));
-  delta = std::max(delta, 64.0 * eps * std::abs(end_.t));
+  delta = std::max(delta, 64.0 * machine_epsilon * std::abs(end_.t));
   new_.t = end_.t + delta;
   for (std::size_t i = 0; i < end_.u.size(); ++i) {
     new_.u[i] = delta * (end_.v[i] + 0.5 * delta * end_.a[i]);
@@ -244,7 +244,8 @@ Step GeneralisedAlpha::step(double t_stop) {
 }
 
 bool GeneralisedAlpha::take_controlled_step(double t_stop) {
-  const double shortest = std::max(4.0 * eps * std::abs(end_.t), 1e-18 * std::abs(t_stop));
+  const double shortest =
+      std::max(4.0 * machine_epsilon * std::abs(end_.t), 1e-18 * std::abs(t_stop));
   const char* why = "";
   double last_error = std::numeric_limits<double>::infinity(), last_h = 1.0, first_h = 0.0;
   for (int tries = 0;; ++tries) {
@@ -575,7 +576,8 @@ bool GeneralisedAlpha::finish_at_event() {
 /// zero.
 void GeneralisedAlpha::step_to_root(double t_root) {
   const auto slot = static_cast<std::size_t>(std::ranges::find(found_, 1) - found_.begin());
-  const double close = std::max(polished * (new_.t - end_.t), 4.0 * eps * std::abs(new_.t));
+  const double close =
+      std::max(root_accuracy * (new_.t - end_.t), 4.0 * machine_epsilon * std::abs(new_.t));
   double low = end_.t + close;  // the root is between low and high
   double high = std::min(new_.t, t_root + 0.05 * (new_.t - end_.t));
   double t = std::max(t_root, low);
@@ -583,7 +585,7 @@ void GeneralisedAlpha::step_to_root(double t_root) {
   const double aside = t - 1e3 * close;
   double slope = (calc_event(slot, t) - calc_event(slot, aside)) / (t - aside);
   double t_last = t, g_last = 0.0;
-  for (int i = 0; i < max_polish_iterations && high - low > close; ++i) {
+  for (int i = 0; i < max_root_steps && high - low > close; ++i) {
     if (!advance(t)) break;
     const double g = g_to_[slot];
     (g < 0.0 ? low : high) = t;

@@ -10,6 +10,7 @@
 
 #include <yoke/cases/andrews.hpp>
 #include <yoke/cases/n_four_bar.hpp>
+#include <yoke/cases/validation/andrews_reference.hpp>
 #include <yoke/cases/validation/benchmark_problems.hpp>
 #include <yoke/core/authoring/check.hpp>
 #include <yoke/core/error.hpp>

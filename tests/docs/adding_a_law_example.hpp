@@ -127,16 +127,16 @@ double example() {
 namespace elastic_shape {
 
 /// A law of the catalog: what is known of it, how it is made, what is odd about its readings.
-struct Entry {
+struct ElasticEntry {
   ElasticNote note;
   ElasticLaw (*make)(const RoundPair& pair, double length, Reading reading);
   const char* printed_warning;
   const char* tabulated_warning;
 };
 
-inline std::vector<Entry> entries() {
+inline std::vector<ElasticEntry> entries() {
   const std::vector<Reading> one{Reading::consistent};
-  std::vector<Entry> list;
+  std::vector<ElasticEntry> list;
   // clang-format off
   list.push_back({{.name = "palmgren",
                    .title = "Palmgren, roller on a raceway",
@@ -163,7 +163,7 @@ namespace dissipative_shape {
 
 using Arguments = DissipativeArguments;
 
-struct Entry {
+struct DissipativeEntry {
   DissipativeNote note;
   DissipativeLaw (*make)(const Arguments&);
   std::optional<double> (*delivers)(const Arguments&, double n, double approach_velocity);
@@ -180,7 +180,7 @@ std::optional<double> proportional_delivers(const Arguments& a, double, double) 
   return restitution_of_damping(Law{a.restitution}.damping());
 }
 
-inline std::vector<Entry> entries() {
+inline std::vector<DissipativeEntry> entries() {
   return {
       // clang-format off
       {{.name = "zhiying-qishao",

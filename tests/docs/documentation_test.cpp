@@ -150,12 +150,13 @@ TEST_CASE("docs/embedding.md: sweeps, results, pieces, outcomes") {
 TEST_CASE("the code in docs/adding_a_law.md is compiled here, its entries fit the catalogs") {
   const fs::path example = "tests/docs/adding_a_law_example.hpp";
   check_blocks("docs/adding_a_law.md", "cpp", 8, {example});
-  for (const fs::path catalog : {"contact/laws/catalog/elastic_catalog.cpp",
-                                 "contact/laws/catalog/dissipative_catalog.cpp"}) {
+  for (const auto& [catalog, entry] :
+       {std::pair{"contact/laws/catalog/elastic_catalog.cpp", "struct ElasticEntry {"},
+        {"contact/laws/catalog/dissipative_catalog.cpp", "struct DissipativeEntry {"}}) {
     const std::string text = source(catalog);
-    const std::size_t begin = text.find("struct Entry {");
+    const std::size_t begin = text.find(entry);
     REQUIRE(begin != std::string::npos);
-    INFO(catalog.string());
+    INFO(catalog);
     CHECK(contains(source(example), text.substr(begin, text.find("};", begin) - begin)));
   }
 }
@@ -176,7 +177,7 @@ TEST_CASE("docs/adding_a_law.md: laws from outside the library") {
   CHECK(example() == doctest::Approx(yoke::restitution_of_damping(X)).epsilon(1e-5));
 
   CHECK(elastic_shape::entries()[0].make({}, 0.01, yoke::Reading::consistent).name() == "palmgren");
-  const dissipative_shape::Entry entry = dissipative_shape::entries()[0];
+  const dissipative_shape::DissipativeEntry entry = dissipative_shape::entries()[0];
   CHECK(entry.make({.restitution = 0.8}).name() == "zhiying-qishao");
   CHECK(entry.delivers({.restitution = 0.9}, 1.5, 0.3).value() ==
         doctest::Approx(0.896).epsilon(2e-3));

@@ -33,7 +33,7 @@ namespace {
 
 using Arguments = DissipativeArguments;
 
-struct Entry {
+struct DissipativeEntry {
   DissipativeNote note;
   DissipativeLaw (*make)(const Arguments&);
   std::optional<double> (*delivers)(const Arguments&, double n, double approach_velocity);
@@ -119,8 +119,8 @@ constexpr const char* dented =
     "no velocity in the law: loses energy only where the largest penetration is passed; a reload "
     "runs up the unloading line to d_m; the dent is forgotten once the surfaces are apart";
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> table = {
+const std::vector<DissipativeEntry>& dissipative_entries() {
+  static const std::vector<DissipativeEntry> table = {
       {{.name = "none",
         .title = "No dissipation",
         .formula = "F = F_e",
@@ -424,11 +424,12 @@ const std::vector<Entry>& entries() {
   return table;
 }
 
-const Entry& find(std::string_view name) {
-  for (const Entry& each : entries())
+const DissipativeEntry& find_dissipative_entry(std::string_view name) {
+  for (const DissipativeEntry& each : dissipative_entries())
     if (each.note.name == name) return each;
   std::string known;
-  for (const Entry& each : entries()) known += (known.empty() ? "" : ", ") + each.note.name;
+  for (const DissipativeEntry& each : dissipative_entries())
+    known += (known.empty() ? "" : ", ") + each.note.name;
   throw ModelError(fmt::format("dissipative law '{}' is unknown; known are {}", name, known));
 }
 
@@ -437,22 +438,24 @@ const Entry& find(std::string_view name) {
 const std::vector<DissipativeNote>& dissipative_catalog() {
   static const std::vector<DissipativeNote> notes = [] {
     std::vector<DissipativeNote> all;
-    for (const Entry& each : entries()) all.push_back(each.note);
+    for (const DissipativeEntry& each : dissipative_entries()) all.push_back(each.note);
     return all;
   }();
   return notes;
 }
 
-const DissipativeNote& find_dissipative(std::string_view name) { return find(name).note; }
+const DissipativeNote& find_dissipative(std::string_view name) {
+  return find_dissipative_entry(name).note;
+}
 
 DissipativeLaw make_dissipative(std::string_view name, const DissipativeArguments& arguments) {
-  return find(name).make(arguments);
+  return find_dissipative_entry(name).make(arguments);
 }
 
 std::optional<double> closed_form_restitution(std::string_view name,
                                               const DissipativeArguments& arguments, double n,
                                               double approach_velocity) {
-  const Entry& entry = find(name);
+  const DissipativeEntry& entry = find_dissipative_entry(name);
   entry.make(arguments);  // checks them
   require_positive(fmt::format("law '{}'", name), "approach velocity", approach_velocity, "m/s");
   return entry.delivers(arguments, n, approach_velocity);

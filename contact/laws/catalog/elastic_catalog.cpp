@@ -24,7 +24,7 @@ namespace yoke {
 namespace {
 
 /// A law of the catalog: what is known of it, how it is made, what is odd about its readings.
-struct Entry {
+struct ElasticEntry {
   ElasticNote note;
   ElasticLaw (*make)(const RoundPair& pair, double length, Reading reading);
   const char* printed_warning;
@@ -54,11 +54,11 @@ std::string log_law(const char* a, const char* B) {
   return fmt::format("d = a F ln(B/F), a = {}, B = {}", a, B);
 }
 
-std::vector<Entry> make_entries() {
+std::vector<ElasticEntry> make_elastic_entries() {
   const std::vector<Reading> one{Reading::consistent};
   const std::vector<Reading> two{Reading::consistent, Reading::printed};
   const std::vector<Reading> three{Reading::consistent, Reading::printed, Reading::tabulated};
-  std::vector<Entry> list;
+  std::vector<ElasticEntry> list;
   list.push_back({{.name = "hertz",
                    .title = "Hertz, point contact",
                    .formula = "F = 4/3 E* sqrt(R) d^1.5, R = R_pin R_wall/DR",
@@ -211,16 +211,16 @@ std::vector<Entry> make_entries() {
   return list;
 }
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> list = make_entries();
+const std::vector<ElasticEntry>& elastic_entries() {
+  static const std::vector<ElasticEntry> list = make_elastic_entries();
   return list;
 }
 
-const Entry& find_entry(std::string_view name) {
-  for (const Entry& entry : entries())
+const ElasticEntry& find_elastic_entry(std::string_view name) {
+  for (const ElasticEntry& entry : elastic_entries())
     if (entry.note.name == name) return entry;
   std::vector<std::string> names;
-  for (const Entry& entry : entries()) names.push_back(entry.note.name);
+  for (const ElasticEntry& entry : elastic_entries()) names.push_back(entry.note.name);
   throw ModelError(
       fmt::format("unknown elastic law '{}'; there are {}", name, fmt::join(names, ", ")));
 }
@@ -268,13 +268,13 @@ ElasticLaw parse_power(std::string_view text) {
 const std::vector<ElasticNote>& elastic_catalog() {
   static const std::vector<ElasticNote> notes = [] {
     std::vector<ElasticNote> list;
-    for (const Entry& entry : entries()) list.push_back(entry.note);
+    for (const ElasticEntry& entry : elastic_entries()) list.push_back(entry.note);
     return list;
   }();
   return notes;
 }
 
-const ElasticNote& find_elastic(std::string_view name) { return find_entry(name).note; }
+const ElasticNote& find_elastic(std::string_view name) { return find_elastic_entry(name).note; }
 
 ElasticLaw make_elastic(std::string_view specification, const ElasticArguments& arguments) {
   constexpr std::string_view prefix = "power:";
@@ -283,7 +283,7 @@ ElasticLaw make_elastic(std::string_view specification, const ElasticArguments& 
       throw_no_reading("power", arguments.reading, "consistent");
     return parse_power(specification.substr(prefix.size()));
   }
-  const Entry& entry = find_entry(specification);
+  const ElasticEntry& entry = find_elastic_entry(specification);
   if (!entry.make) throw ModelError(std::string(power_usage));
   const std::vector<Reading>& readings = entry.note.readings;
   if (std::find(readings.begin(), readings.end(), arguments.reading) == readings.end()) {
@@ -300,7 +300,7 @@ ElasticLaw make_elastic(std::string_view specification, const ElasticArguments& 
 }
 
 std::string elastic_warning(std::string_view name, Reading reading) {
-  const Entry& entry = find_entry(name.substr(0, name.find(':')));
+  const ElasticEntry& entry = find_elastic_entry(name.substr(0, name.find(':')));
   switch (reading) {
     case Reading::consistent:
       break;

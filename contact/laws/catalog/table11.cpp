@@ -9,12 +9,12 @@
 namespace yoke {
 
 namespace {
-struct Entry {
+struct Fit {
   double K, n;  // [N/mm^n]
 };
 struct Column {
   const char* name;
-  Entry inner, outer, cap;
+  Fit inner, outer, cap;
 };
 constexpr std::array<Column, 5> columns{{
     {"table11-lankarani-nikravesh", {1.220e5, 1.50}, {1.424e5, 1.50}, {1.198e6, 1.50}},
@@ -38,7 +38,7 @@ Table11 table11(std::string_view name, double scale) {
   require_positive(fmt::format("law '{}'", name), "scale", scale, "");
   for (const Column& column : columns) {
     if (name != column.name) continue;
-    const auto law = [&](const Entry& entry) {
+    const auto law = [&](const Fit& entry) {
       return per_mm(scale * entry.K, entry.n, column.name);
     };
     return {law(column.inner), law(column.outer), law(column.cap)};

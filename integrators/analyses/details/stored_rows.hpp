@@ -29,8 +29,8 @@ class StoredRows {
   std::size_t energy_column_ = 0;
 };
 
-/// For a model at rest or moving: assembled as simulate() would, so that the same equations are
-/// left out where some are redundant. Throws ModelError.
-void settle(Dynamics& dynamics, const State& fallback);
+/// Assembles the model as simulate() does, from its start pose or else from `fallback`, so that the
+/// same redundant equations are left out as in the run that wrote the rows. Throws ModelError.
+void prepare_for_rows(Dynamics& dynamics, const State& fallback);
 
 }  // namespace yoke

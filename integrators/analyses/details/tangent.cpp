@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include <yoke/core/equations/index.hpp>
+
 namespace yoke {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Entries of one matrix, given as blocks.
 class Entries {

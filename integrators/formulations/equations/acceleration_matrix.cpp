@@ -6,10 +6,6 @@
 
 namespace yoke {
 
-namespace {
-enum Factor { plus, minus, shift, two, two_alpha, beta_squared, shifted };
-}  // namespace
-
 AccelerationMatrix::AccelerationMatrix(System& system, const Baumgarte& stabilisation)
     : n_(system.dofs()),
       nz_(system.states()),
@@ -19,6 +15,8 @@ AccelerationMatrix::AccelerationMatrix(System& system, const Baumgarte& stabilis
       lambda_(system) {}
 
 MatrixLayout AccelerationMatrix::layout() const {
+  // The factors handed over in evaluate().
+  enum Factor { plus, minus, shift, two, two_alpha, beta_squared, shifted };
   const int q = 0, r_q = 0, r_v = v(), r_z = z(), r_l = lambda();
   return {.size = 2 * n_ + nz_ + rows_,
           .placements = {{Block::coordinates, r_q, q, shift},

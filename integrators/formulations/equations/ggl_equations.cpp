@@ -6,12 +6,9 @@
 #include <array>
 #include <cmath>
 
-namespace yoke {
+#include <yoke/core/equations/index.hpp>
 
-namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-enum Factor { plus, minus, shift };
-}  // namespace
+namespace yoke {
 
 GglEquations::GglEquations(System& system)
     : system_(system),
@@ -27,6 +24,7 @@ GglEquations::GglEquations(System& system)
 }
 
 MatrixLayout GglEquations::layout() const {
+  enum Factor { plus, minus, shift };  // the factors handed over in calc_jacobian()
   const int q = 0, r_q = 0, r_v = v(), r_z = z(), r_p = lambda(), r_w = mu();
   return {.size = size_,
           .placements = {{Block::mass, r_q, q, shift},

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/index.hpp>
+
 namespace yoke {
 
 namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool is_diagonal(Block b) { return b <= Block::dropped; }
 bool is_of_constraint(Block b) { return b >= Block::G && b <= Block::K_mu; }
