@@ -112,6 +112,8 @@ class Dynamics {
   const SparseMatrix& matrix() const { return matrix_; }
 
  private:
+  static constexpr int max_projection_iterations = 12;
+
   struct Stamp {
     int entry;  // in the blocks of G
     int lower;  // slot of G

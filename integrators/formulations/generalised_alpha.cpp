@@ -3,8 +3,6 @@
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
 
 #include <algorithm>
-#include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,17 +13,11 @@ namespace yoke {
 
 namespace {
 
-constexpr int max_newton_iterations = 10;
-constexpr double newton_share = 1e-3;  // of the error allowed in a step
-constexpr double slow = 0.2;           // Newton converging worse than this gets a new matrix
 constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
 constexpr double first_over_delta = 100.0;
 constexpr double noise = 4.0;
-constexpr int max_root_steps = 20;
 constexpr double largest_turn = 0.25;  // [rad] of a body in a step, where there are events
-constexpr double parts_per_radian = 16.0;
-constexpr double root_accuracy = 1e-9;  // of the step
 
 enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
 
@@ -299,127 +291,6 @@ bool GeneralisedAlpha::advance(double t_new) {
   return solve_stage(h, t_new) && finish(t_new);
 }
 
-void GeneralisedAlpha::predict(double h) {
-  const double rescaled = options_.plain ? h_last_ : h;
-  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
-  for (std::size_t i = 0; i < v_.size(); ++i) {
-    const double v = end_.v[i] + c_.C * h * h * jerk_normal_[i];
-    const double a = end_.a[i] + rescaled * b_[i];
-    a_[i] = end_.a[i] + (1.0 + c_.theta) * h * jerk_[i];
-    new_.u[i] = end_.u[i] + h * (v + h * ((0.5 - c_.beta) * a + c_.beta * a_[i]));
-    v_[i] = v + h * ((1.0 - c_.gamma) * a + c_.gamma * a_[i]);
-    rate_[i] = am * a_[i] + (c_.alpha_m * a - c_.alpha_f * end_.a[i]) / (1.0 - c_.alpha_f);
-  }
-  for (std::size_t i = 0; i < w_.size(); ++i) {
-    const double w = end_.z_dot[i] + rescaled * b_z_[i];
-    w_[i] = end_.z_dot[i];
-    new_.z[i] = end_.z[i] + h * ((1.0 - c_.gamma) * w + c_.gamma * w_[i]);
-    z_rate_[i] = am * w_[i] + (c_.alpha_m * w - c_.alpha_f * end_.z_dot[i]) / (1.0 - c_.alpha_f);
-  }
-  for (std::size_t i = 0; i < lambda_.size(); ++i)
-    lambda_[i] = end_.lambda[i] + h * lambda_rate_[i];
-}
-
-bool GeneralisedAlpha::solve_stage(double h, double t) {
-  bool renew = true;
-  double last = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < max_newton_iterations; ++iteration) {
-    if (renew) {
-      calc_matrix(h, t);
-      const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
-      if (!matrix_.factorise(std::sqrt(am / c_.beta) / h)) return false;
-    }
-    if (!calc_residual(t)) return false;
-    matrix_.solve(x_.data());
-    const double norm = correct(h);
-    if (!std::isfinite(norm)) return false;
-    if (norm < 1.0) return true;
-    if (iteration > 1 && norm > 0.5 * last && norm * allowed_ < 1.0)
-      return true;  // as well as positions are known there; the error test has the last word
-    if (iteration > 1 && norm > 2.0 * last) return false;
-    renew = norm > slow * last;
-    last = norm;
-  }
-  return false;
-}
-
-/// -R into x_.
-bool GeneralisedAlpha::calc_residual(double t) {
-  ++counters_.evaluations;
-  system_.set_motion(t, absolute(new_.u), v_.data());
-  system_.set_states(new_.z.data());
-  double* r_q = x_.data();
-  double* r_z = r_q + n_;
-  double* r_p = r_z + nz_;
-  system_.calc_position_level(r_p);
-  std::ranges::fill(force_, 0.0);
-  system_.add_forces(force_.data(), nz_ > 0 ? r_z : nullptr, nullptr);
-  system_.subtract_constraint_forces(mask_.kept(lambda_.data()), force_.data());
-  double sum = 0.0;
-  for (int i = 0; i < n_; ++i) r_q[i] = force_[at(i)] - system_.mass()[at(i)] * rate_[at(i)];
-  for (int i = 0; i < nz_; ++i) r_z[i] -= z_rate_[at(i)];
-  for (int i = 0; i < rows_; ++i) r_p[i] = -r_p[i];
-  for (const int i : system_.dropped_rows()) r_p[i] = -lambda_[at(i)];
-  for (const double r : x_) sum += r;
-  if (!std::isfinite(sum)) system_.blame_not_finite();
-  return std::isfinite(sum);
-}
-
-void GeneralisedAlpha::calc_matrix(double h, double t) {
-  ++counters_.jacobians;
-  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
-  matrix_.evaluate({.t = t,
-                    .q = absolute(new_.u),
-                    .v = v_.data(),
-                    .z = new_.z.data(),
-                    .lambda = mask_.kept(lambda_.data())},
-                   std::array{1.0, -1.0, am / (c_.beta * h * h), -c_.gamma / (c_.beta * h),
-                              am / (c_.gamma * h)});
-}
-
-/// Adds the correction x_; returns its size in units of what is allowed. Accelerations take their
-/// share of it rather than being differences of positions, which would cost them their digits.
-double GeneralisedAlpha::correct(double h) {
-  const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
-  double norm = 0.0;
-  for (int i = 0; i < n_; ++i) {
-    const double dq = x_[at(i)], da = dq / (c_.beta * h * h);
-    new_.u[at(i)] += dq;
-    v_[at(i)] += c_.gamma * h * da;
-    a_[at(i)] += da;
-    rate_[at(i)] += am * da;
-    const double r =
-        std::abs(dq) / std::max(newton_share * allowed_ * tolerances_.q[i], rounding_[at(i)]);
-    if (!(r <= norm)) norm = r;  // catches NaN
-  }
-  for (int i = 0; i < nz_; ++i) {
-    const double dz = x_[at(n_ + i)], dw = dz / (c_.gamma * h);
-    new_.z[at(i)] += dz;
-    w_[at(i)] += dw;
-    z_rate_[at(i)] += am * dw;
-    const double r = std::abs(dz) / std::max(newton_share * allowed_ * tolerances_.z[i],
-                                             rounding_of(tolerances_.z[i] / tolerances_.relative));
-    if (!(r <= norm)) norm = r;
-  }
-  for (int i = 0; i < rows_; ++i) lambda_[at(i)] += x_[at(n_ + nz_ + i)];
-  return norm;
-}
-
-/// The consistent state at the end of the step being tried.
-bool GeneralisedAlpha::finish(double t) {
-  new_.t = t;
-  new_.v = v_;
-  double* q = absolute(new_.u);
-  if (!options_.plain) {
-    if (!dynamics_.project(t, q, new_.v.data())) return false;
-    for (std::size_t i = 0; i < q_.size(); ++i) new_.u[i] = q_[i] - q_start_[i];
-  }
-  if (!calc_rates(new_)) return false;
-  if (options_.plain) new_.a = rate_;
-  return guard_.count() == 0 ||
-         guard_.evaluate(t, absolute(new_.u), new_.v.data(), new_.z.data(), g_to_.data());
-}
-
 /// Against the integrals of the parabola through three accelerations: what the step has erred by,
 /// to leading order, in units of what is allowed. Jumps of a driver are seen too.
 double GeneralisedAlpha::calc_error() const {
@@ -487,158 +358,6 @@ void GeneralisedAlpha::accept() {
   std::swap(begin_, end_);
   std::swap(end_, new_);
   calc_normal_jerk();
-}
-
-/// The first root on the dense output of the step being tried, or infinity; marks in found_ who has
-/// it. A long step is looked at in parts: what comes back within it is not seen at its end.
-double GeneralisedAlpha::find_root() {
-  if (g_to_.empty()) return std::numeric_limits<double>::infinity();
-  const double h = new_.t - end_.t;
-  const int parts = 1 + static_cast<int>(parts_per_radian * h * fastest_turn());
-  double from = end_.t;
-  g_low_ = g_from_;
-  for (int part = 1; part <= parts; ++part) {
-    const double to = part == parts ? new_.t : end_.t + h * part / parts;
-    if (part == parts) {
-      g_high_ = g_to_;
-    } else {
-      calc_event(0, to);
-      g_high_ = g_;
-    }
-    const double root = find_root_between(from, to);
-    if (root <= to) return root;
-    from = to;
-    std::swap(g_low_, g_high_);
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
-double GeneralisedAlpha::find_root_between(double from, double to) {
-  double t_root = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < g_low_.size(); ++i) {
-    if (!(g_low_[i] < 0.0 && g_high_[i] >= 0.0)) continue;
-    double root = to;
-    if (g_high_[i] > 0.0) {
-      std::uintmax_t iterations = 100;
-      root = boost::math::tools::toms748_solve(
-                 [&](double t) { return calc_event(i, t); }, from, to, g_low_[i], g_high_[i],
-                 boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits),
-                 iterations)
-                 .second;
-    }
-    if (root < t_root) {
-      t_root = root;
-      std::ranges::fill(found_, 0);
-    }
-    if (root == t_root) found_[i] = 1;
-  }
-  return t_root;
-}
-
-/// [rad/s] of all bodies.
-double GeneralisedAlpha::fastest_turn() const {
-  double fastest = 0.0;
-  for (std::size_t i = 2; i < end_.v.size(); i += 3)
-    fastest = std::max(fastest, std::abs(end_.v[i]));
-  return fastest;
-}
-
-double GeneralisedAlpha::calc_event(std::size_t slot, double t) {
-  calc_interpolant(end_, new_, t);
-  guard_.evaluate(t, absolute(dense_u_), dense_v_.data(), dense_z_.data(), g_.data());
-  return g_[slot];
-}
-
-/// Accepts the step being tried, or if an event function crosses zero in it a shorter one that ends
-/// there: dense output would err by h^2 in v, most of all in a contact.
-bool GeneralisedAlpha::finish_at_event() {
-  const double t_root = find_root();
-  const bool event = t_root <= new_.t;
-  if (event) step_to_root(t_root);
-  integrate_energy();
-  accept();
-  t_ = end_.t;
-  std::swap(g_from_, g_to_);
-  if (!event) {
-    guard_.accept(t_, absolute(end_.u), end_.v.data(), end_.z.data());
-    return false;
-  }
-  guard_.collect(t_, absolute(end_.u), end_.v.data(), end_.z.data(), found_);
-  for (const int slot : guard_.fired()) {
-    double& g = g_from_[at(slot)];
-    g = std::max(g, 0.0);  // not again if the caller goes on
-  }
-  return true;
-}
-
-/// Steps of the method to where its own solution has the root, by secants that begin at the root of
-/// the dense output. Ends where the function is not negative: elements expect it to have crossed
-/// zero.
-void GeneralisedAlpha::step_to_root(double t_root) {
-  const auto slot = static_cast<std::size_t>(std::ranges::find(found_, 1) - found_.begin());
-  const double close =
-      std::max(root_accuracy * (new_.t - end_.t), 4.0 * machine_epsilon * std::abs(new_.t));
-  double low = end_.t + close;  // the root is between low and high
-  double high = std::min(new_.t, t_root + 0.05 * (new_.t - end_.t));
-  double t = std::max(t_root, low);
-  if (t >= high) return;
-  const double aside = t - 1e3 * close;
-  double slope = (calc_event(slot, t) - calc_event(slot, aside)) / (t - aside);
-  double t_last = t, g_last = 0.0;
-  for (int i = 0; i < max_root_steps && high - low > close; ++i) {
-    if (!advance(t)) break;
-    const double g = g_to_[slot];
-    (g < 0.0 ? low : high) = t;
-    if (i > 0 && t != t_last) slope = (g - g_last) / (t - t_last);
-    t_last = t;
-    g_last = g;
-    double next = t - g / slope;
-    if (g >= 0.0 && !(t - next > close)) return;
-    if (g < 0.0 && next - t < close) next = t + close;
-    t = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  advance(high);
-}
-
-/// Quintic Hermite from positions, velocities and accelerations, cubic from the others.
-void GeneralisedAlpha::calc_interpolant(const Node& from, const Node& to, double t) {
-  if (t == to.t) {
-    dense_u_ = to.u;
-    dense_v_ = to.v;
-    dense_z_ = to.z;
-    dense_energy_ = to.energy;
-    return;
-  }
-  const double h = to.t - from.t, s = (t - from.t) / h;
-  for (std::size_t i = 0; i < dense_u_.size(); ++i) {
-    const double v = h * from.v[i], a = h * h * from.a[i];
-    const double D = to.u[i] - from.u[i] - v - 0.5 * a;
-    const double V = h * (to.v[i] - from.v[i]) - a;
-    const double A = h * h * (to.a[i] - from.a[i]);
-    const double c3 = 10.0 * D - 4.0 * V + 0.5 * A;
-    const double c4 = -15.0 * D + 7.0 * V - A;
-    const double c5 = 6.0 * D - 3.0 * V + 0.5 * A;
-    dense_u_[i] = from.u[i] + s * (v + s * (0.5 * a + s * (c3 + s * (c4 + s * c5))));
-    dense_v_[i] = (v + s * (a + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / h;
-  }
-  const auto cubic = [h, s](const Vector& x0, const Vector& x1, const Vector& f0, const Vector& f1,
-                            Vector& out) {
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const double D = x1[i] - x0[i] - h * f0[i], F = h * (f1[i] - f0[i]);
-      out[i] = x0[i] + s * (h * f0[i] + s * (3.0 * D - F + s * (F - 2.0 * D)));
-    }
-  };
-  cubic(from.z, to.z, from.z_dot, to.z_dot, dense_z_);
-  cubic(from.energy, to.energy, from.power, to.power, dense_energy_);
-}
-
-void GeneralisedAlpha::interpolate(double t, State& state) {
-  calc_interpolant(begin_, end_, t);
-  state.t = t;
-  std::copy_n(absolute(dense_u_), n_, state.q.data());
-  std::copy_n(dense_v_.data(), n_, state.v.data());
-  std::copy_n(dense_z_.data(), nz_, state.z.data());
-  std::copy_n(dense_energy_.data(), quadratures_, state.energy.data());
 }
 
 StepCounters GeneralisedAlpha::counters() const {

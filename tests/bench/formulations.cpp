@@ -16,7 +16,7 @@
 #include <yoke/integrators/formulations/equations/acceleration_matrix.hpp>
 #include <yoke/integrators/formulations/equations/ggl_equations.hpp>
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
-#include <yoke/integrators/run/singular/singular_crossing.hpp>
+#include <yoke/integrators/run/singular/closed_loops.hpp>
 #include <yoke/integrators/run/start/error_weights.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/tests/bench/chain.hpp>

@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
-      "contact/laws/catalog", "contact/geometry", "contact"}},
+      "contact/laws/catalog", "contact/geometry", "contact/details", "contact"}},
     {"integrators",
      {"integrators", "integrators/sundials", "integrators/formulations/equations",
       "integrators/formulations", "integrators/run", "integrators/run/singular",
@@ -45,9 +45,9 @@ const std::map<std::string, std::vector<std::string>> room_order = {
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 
-// The inner headers of integrators/analyses serve it alone and may see what it publishes.
+// Inner headers serve one room alone and may see what it publishes.
 const std::map<std::string, std::string> inner_rooms = {
-    {"integrators/analyses/details", "integrators/analyses"}};
+    {"integrators/analyses/details", "integrators/analyses"}, {"contact/details", "contact"}};
 
 std::string room_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
 

@@ -4,129 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include <yoke/integrators/formulations/event_guard.hpp>
-#include <yoke/integrators/run/singular/gauss_collocation.hpp>
+#include <yoke/integrators/run/singular/closed_loops.hpp>
+#include <yoke/integrators/run/singular/crossing.hpp>
 
 namespace yoke {
 
 namespace {
 
-constexpr double near = 0.02;     // of the largest independence seen: leave the formulation
-constexpr double troubled = 0.1;  // the same, if the formulation fails
+constexpr double troubled = 0.1;            // the same, if the formulation fails
 constexpr double singular_at_start = 1e-8;  // absolute, while nothing larger has been seen
-constexpr double too_close = 1e-7;          // of a stage; errors of a position grow by its root
 constexpr double was_singular = 1e-6;       // of the largest: what is reported as crossed
 constexpr double look_ahead = 4.0;          // steps
-// Of the time scale: steps are not cut below for accuracy; while a contact touches its impact must
-// be followed.
-constexpr double shortest_apart = 1e-3, shortest_touching = 1e-7;
-constexpr double longest = 0.5;      // of the time scale
-constexpr double error_share = 0.5;  // of the error weights
-constexpr double far = 1e300;        // [s] no singular position in sight
-constexpr int max_attempts = 200;
-constexpr int max_segments = 2000;     // without getting away
-constexpr double energy_bound = 1e-6;  // of the energies that take part
+constexpr double energy_bound = 1e-6;       // of the energies that take part
 
 }  // namespace
-
-bool has_closed_loops(const System& system) {
-  std::vector<int> parent(system.model().bodies().size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-      auto& above = parent[static_cast<std::size_t>(i)];
-      above = parent[static_cast<std::size_t>(above)];
-      i = above;
-    }
-    return i;
-  };
-  for (const ConstraintSlot& c : system.constraints()) {
-    const auto& equations = c.element->equations();
-    if (std::ranges::all_of(equations,
-                            [](const Equation& e) { return e.measure == Measure::angle; }))
-      continue;
-    std::vector<BodyId> bodies = c.element->bodies();
-    if (bodies.size() == 1) bodies.push_back(ground);
-    for (std::size_t i = 1; i < bodies.size(); ++i) {
-      const int a = root(bodies[i - 1].index), b = root(bodies[i].index);
-      if (a == b) return true;
-      parent[static_cast<std::size_t>(a)] = b;
-    }
-  }
-  return false;
-}
-
-namespace {
-
-class SingularCrossing final : public Formulation {
- public:
-  SingularCrossing(const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
-                   std::function<void(const SingularPosition&)> record);
-
-  void start(const State& state) override;
-  Step step(double t_stop) override;
-  double time() const override { return crossing_ ? t_ : inner_->time(); }
-  double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
-  void interpolate(double t, State& state) override;
-  const std::vector<int>& fired() const override {
-    return crossing_ ? guard_.fired() : inner_->fired();
-  }
-  const std::vector<int>& passed() const override {
-    return crossing_ ? guard_.passed() : inner_->passed();
-  }
-  StepCounters counters() const override;
-  std::string failure() const override { return crossing_ ? failure_ : inner_->failure(); }
-
- private:
-  Step step_inside(double t_stop);
-  void renew();
-  Step cross(double t_stop);
-  void watch();
-  bool choose_other_rows();
-  void begin_crossing();
-  bool try_step(double t_stop);
-  double propose(double rest) const;
-  Step accept_segment();
-  bool find_event(int& slot, double& t);
-  void end_crossing();
-  void report();
-  double energy(double t, const double* y);
-  void unpack(double t, const double* y, State& state) const;
-  void check_redundant(double t, const double* q);
-
-  const FormulationEntry& entry_;
-  Dynamics& dynamics_;
-  Tolerances tolerances_;
-  double shortest_ = shortest_apart;
-  std::function<void(const SingularPosition&)> record_;
-  std::unique_ptr<Formulation> inner_;
-  GaussCollocation gauss_, check_;
-  EventGuard guard_;
-  StepCounters before_{}, own_{};
-  bool watches_;
-  std::vector<bool> is_work_;
-
-  State here_;                      // where the last step ended, or a restart began
-  double m_ = 1.0, largest_ = 0.0;  // independence there and the largest seen
-  double t_m_ = 0.0, m_before_ = 1.0, dt_ = 1.0;
-  bool has_before_ = false;
-  double hold_off_ = 2.0;  // enter only below this: what has proved to be harmless is above
-
-  bool crossing_ = false, entering_ = false, leaving_ = false;
-  GaussCollocation::Segment segment_, trial_;
-  double t_ = 0.0, h_ = 0.0, to_singular_ = far;
-  int segments_ = 0;
-  double m_entry_ = 0.0, m_last_ = 0.0;
-  double energy_entry_ = 0.0, kinetic_entry_ = 0.0;
-  SingularPosition found_;
-  bool has_found_ = false;
-  std::vector<double> y_, g_;
-  std::vector<int> found_events_;
-  std::string failure_;
-};
 
 SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dynamics,
                                    const Tolerances& tolerances,
@@ -297,189 +190,6 @@ void SingularCrossing::begin_crossing() {
   to_singular_ = rate < 0.0 ? std::sqrt(m_) / -rate : far;
 }
 
-Step SingularCrossing::cross(double t_stop) {
-  if (!try_step(t_stop)) return Step::failed;
-  return accept_segment();
-}
-
-// The length of the next step: the singular position, where it is expected, is to lie in the middle
-// or in another wide gap between stages.
-double SingularCrossing::propose(double rest) const {
-  double h = h_;
-  if (to_singular_ < 0.6 * h_) {
-    for (const double gap : {0.5, 0.25, 0.12, 0.017}) {
-      h = to_singular_ / gap;
-      if (h > 0.4 * h_) break;
-      h = h_;
-    }
-  } else if (to_singular_ < 2.0 * h_) {
-    h = 0.5 * to_singular_;
-  }
-  // Two steps to the end rather than one and a sliver.
-  return h >= rest ? rest : h > 0.5 * rest ? 0.5 * rest : h;
-}
-
-// A step with 6 stages, judged by one with 4, until they agree or it is as short as is sensible.
-bool SingularCrossing::try_step(double t_stop) {
-  const double scale = dynamics_.system().scales().time;
-  std::vector<double> y = segment_.end;
-  const auto n = dynamics_.system().dofs();
-  std::vector<double> a(static_cast<std::size_t>(n), 0.0);
-  if (segments_ > 0)
-    std::copy_n(segment_.rates.back().begin() + n, n, a.begin());
-  else if (m_ > too_close * largest_)
-    dynamics_.calc_accelerations(t_, y.data(), y.data() + n, y.data() + 2 * n, a.data(), nullptr,
-                                 nullptr, nullptr);
-  using Outcome = GaussCollocation::Outcome;
-  constexpr double shift[] = {1.0, 1.3, 0.77, 1.7, 0.6};  // to move stages off a singular position
-  int closes = 0;
-  double last_error = far;
-  const double closest = too_close * largest_;
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    const double rest = t_stop - t_, proposed = propose(rest);
-    const double h = closes == 0 ? proposed : std::min(proposed * shift[closes], rest);
-    const bool last = h == rest;
-    for (GaussCollocation::Segment* s : {&trial_, &segment_}) {
-      s->t = t_;
-      s->h = h;
-      s->begin = y;
-    }
-    Outcome outcome = check_.step(trial_, a.data(), closest, last);
-    if (outcome == Outcome::solved) outcome = gauss_.step(segment_, a.data(), closest, last);
-    if (outcome == Outcome::close && ++closes < static_cast<int>(std::size(shift))) continue;
-    if (outcome != Outcome::solved) {
-      closes = 0;
-      h_ = 0.6 * std::min(h, h_);
-      ++own_.rejected;
-      if (h_ < 1e-10 * scale) break;
-      continue;
-    }
-    const double error = gauss_.distance(trial_.end.data(), segment_.end.data()) /
-                         std::max(error_share, 1e-10 / tolerances_.relative);
-    const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-12), -1.0 / 9.0), 0.3, 2.0);
-    // An error that does not fall with the step is rounding.
-    if (error > 1.0 && h > shortest_ * scale && error < 0.5 * last_error) {
-      last_error = error;
-      h_ = std::max(factor * h, shortest_ * scale);
-      ++own_.rejected;
-      continue;
-    }
-    h_ = std::clamp(factor * std::max(h, h_), shortest_ * scale, longest * scale);
-    return true;
-  }
-  segment_.end = std::move(y);
-  failure_ = fmt::format(
-      "the singular position of '{}' could not be crossed: no motion beyond it was found",
-      dynamics_.system().equation_name(dynamics_.weakest_row()));
-  return false;
-}
-
-bool SingularCrossing::find_event(int& slot, double& t) {
-  const int n = dynamics_.system().dofs();
-  const auto value = [&](double time, std::size_t i) {
-    gauss_.interpolate(segment_, time, y_.data());
-    guard_.evaluate(time, y_.data(), y_.data() + n, y_.data() + 2 * n, g_.data());
-    return g_[i];
-  };
-  constexpr int looks = 8;
-  double low = segment_.t;
-  for (int look = 1; look <= looks; ++look) {
-    const double high = segment_.t + segment_.h * look / looks;
-    value(high, 0);
-    const auto crossed = std::ranges::find_if(g_, [](double g) { return g >= 0.0; });
-    if (crossed != g_.end()) {
-      // The first of those that crossed here.
-      slot = static_cast<int>(crossed - g_.begin());
-      double above = high;
-      for (int i = 0; i < 200 && above > std::nextafter(low, above); ++i) {
-        const double middle = 0.5 * (low + above);
-        if (middle <= low || middle >= above) break;
-        value(middle, 0);
-        const auto first = std::ranges::find_if(g_, [](double g) { return g >= 0.0; });
-        if (first != g_.end()) {
-          slot = static_cast<int>(first - g_.begin());
-          above = middle;
-        } else {
-          low = middle;
-        }
-      }
-      t = above;
-      return true;
-    }
-    low = high;
-  }
-  return false;
-}
-
-Step SingularCrossing::accept_segment() {
-  const int n = dynamics_.system().dofs();
-  ++own_.steps;
-  ++segments_;
-  int slot = 0;
-  double t_event = 0.0;
-  if (guard_.count() > 0 && find_event(slot, t_event)) {
-    gauss_.interpolate(segment_, t_event, segment_.end.data());
-    double m = 1.0;
-    gauss_.project(t_event, segment_.end.data(), 0.0, m);
-    t_ = t_event;
-    std::ranges::fill(found_events_, 0);
-    found_events_[static_cast<std::size_t>(slot)] = 1;
-    guard_.collect(t_, segment_.end.data(), segment_.end.data() + n, segment_.end.data() + 2 * n,
-                   found_events_);
-    unpack(t_, segment_.end.data(), here_);
-    return Step::event;
-  }
-  report();
-  t_ = segment_.t + segment_.h;
-  unpack(t_, segment_.end.data(), here_);
-  guard_.accept(t_, segment_.end.data(), segment_.end.data() + n, segment_.end.data() + 2 * n);
-  check_redundant(t_, here_.q.data());
-  gauss_.interpolate(segment_, t_ - 0.02 * segment_.h, y_.data());
-  const double before = dynamics_.independence(t_ - 0.02 * segment_.h, y_.data(), 3);
-  const double m = dynamics_.independence(t_, segment_.end.data(), 3);
-  const bool rising = m > before;
-  const double fall = (std::sqrt(before) - std::sqrt(m)) / (0.02 * segment_.h);
-  to_singular_ = fall > 0.0 ? std::sqrt(m) / fall : far;
-  m_last_ = m;
-  largest_ = std::max(largest_, m);
-  const double away = std::max({2.0 * m_entry_, 5.0 * near * largest_});
-  if (rising && m > away) end_crossing();
-  if (!leaving_ && segments_ > max_segments) end_crossing();
-  return failure_.empty() ? Step::advanced : Step::failed;
-}
-
-// The least independence within the segment, by golden section.
-void SingularCrossing::report() {
-  if (has_found_ && segment_.least > found_.independence) return;
-  const auto measure = [&](double t) {
-    gauss_.interpolate(segment_, t, y_.data());
-    return dynamics_.independence(t, y_.data());
-  };
-  constexpr double golden = 0.6180339887498949;
-  double low = segment_.t, high = segment_.t + segment_.h;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double m_a = measure(a), m_b = measure(b);
-  for (int i = 0; i < 40; ++i) {
-    if (m_a < m_b) {
-      high = std::exchange(b, a);
-      m_b = m_a;
-      a = high - golden * (high - low);
-      m_a = measure(a);
-    } else {
-      low = std::exchange(a, b);
-      m_a = m_b;
-      b = low + golden * (high - low);
-      m_b = measure(b);
-    }
-  }
-  const double m = std::min(m_a, m_b);
-  if (has_found_ && m >= found_.independence) return;
-  has_found_ = true;
-  found_.t = m_a < m_b ? a : b;
-  found_.independence = m;
-  found_.equation = dynamics_.system().equation_name(dynamics_.weakest_row());
-}
-
 void SingularCrossing::end_crossing() {
   leaving_ = true;
   m_ = m_last_;
@@ -523,8 +233,6 @@ StepCounters SingularCrossing::counters() const {
   }
   return total;
 }
-
-}  // namespace
 
 std::unique_ptr<Formulation> guard_singular_positions(
     const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,

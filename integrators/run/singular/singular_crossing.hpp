@@ -8,20 +8,21 @@
 //
 //   watch    after every accepted step, Dynamics::independence(): m, which falls like the square of
 //            the distance to the singular position. No look at mechanisms without closed loops.
-//   leave    the formulation when m is below 1e-3 of the largest seen, or heads for zero within the
-//            next step and a half, or the formulation fails with m below a tenth.
+//   leave    the formulation when m is a small part of the largest seen (`near`), or heads for zero
+//            within the next steps (`look_ahead`), or the formulation fails with m small
+//            (`troubled`).
 //   cross    with Gauss' collocation, 6 stages, order 12. Its stages lie beside the ends of a step,
 //            and each is projected on positions and velocities before accelerations are asked for,
 //            so nothing is evaluated off the constraints. A stage or end too close to the singular
-//            position (m < 1e-8) moves by a change of the step. Steps have their error controlled
-//            by a method of 4 stages but are never shorter than a thousandth of the time scale on
-//            its account.
+//            position (`too_close`) moves by a change of the step. A method of 4 stages controls
+//            the error of the steps, which are never shorter on its account than a share of the
+//            time scale (`shortest_apart`, in contact `shortest_touching`).
 //   return   to the formulation when m has doubled, with energy before and after compared.
 //
 // Contacts and events inside the crossing are located on the collocation polynomial as elsewhere.
 //
 // Where equations were left out as redundant, it also watches them (they may turn out to be in
-// conflict later: the run then ends with a ModelError that names the equation), and it chooses anew
+// conflict later: the run then ends with a ModelError that names the equation), and it chooses again
 // which to leave out when those kept become dependent but others are not.
 #pragma once
 
@@ -32,10 +33,6 @@
 #include <yoke/integrators/formulations/formulation.hpp>
 
 namespace yoke {
-
-/// Can constraint equations become dependent while the mechanism moves? Not if the joints form no
-/// closed loop, not counting those that relate angles only.
-bool has_closed_loops(const System& system);
 
 /// A formulation guarded as described above, or the bare one if there is nothing to guard.
 /// `record` is called for every singular position that was crossed.

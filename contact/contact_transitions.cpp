@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// How a contact begins, turns, passes from region to region and ends.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <yoke/contact/details/contact_state.hpp>
+#include <yoke/core/error.hpp>
+
+namespace yoke {
+
+namespace {
+
+/// [m/s^2] added to an acceleration before it is trusted: loads may change within a step.
+constexpr double unforeseen_acceleration = 1.0;
+
+/// Does the rate carry the penetration through twice the band before the acceleration can turn it?
+bool leaves_band(double rate, double acceleration) {
+  const double strongest = std::abs(acceleration) + unforeseen_acceleration;
+  return rate * rate > 4.0 * touch_tolerance * strongest;
+}
+
+}  // namespace
+
+/// The region whose formula counts: the one touched or remembered, else the nearest.
+int ContactElement::watched_region(const Motion& motion, const ContactMemory& memory) const {
+  const bool remembered = memory.phase != ContactPhase::apart || has_memory(memory);
+  return remembered ? memory.region : geometry_->nearest(motion);
+}
+
+ContactElement::Approach ContactElement::calc_approach(const EventContext& context,
+                                                       int region) const {
+  const Motion& motion = context.input.motion;
+  ContactKinematics k;
+  geometry_->calc_kinematics(motion, region, true, k);
+  const ContactRow v = velocity(motion);
+  double acceleration = dot(v, times(k.hessian, v));
+  if (context.acceleration != nullptr)
+    for (std::size_t i = 0; i < columns; ++i)
+      acceleration += k.gradient[i] * context.acceleration[i];
+  return {k.penetration, dot(k.gradient, v), acceleration, k.gradient};
+}
+
+/// Does the memory of a snapshot still agree with where the bodies are?
+bool ContactElement::goes_on(const Motion& motion, const ContactMemory& memory) const {
+  const bool apart = memory.phase == ContactPhase::apart;
+  if (apart && !has_memory(memory)) return false;
+  const double end = apart && !is_lifted(memory) ? 0.0 : memory.permanent_set;
+  return geometry_->penetration(motion, memory.region) > end - touch_tolerance;
+}
+
+void ContactElement::initialise_contacts(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  if (goes_on(context.input.motion, memory)) return;
+  memory = {};
+  const int region = geometry_->nearest(context.input.motion);
+  const Approach now = calc_approach(context, region);
+  if (now.penetration < -touch_tolerance) return;
+  const bool leaves = leaves_band(now.rate, now.acceleration);
+  if (now.penetration > touch_tolerance || (leaves && now.rate > 0.0)) {
+    begin(context, region, now);
+    record(context, "onset", region, now);
+    check_limit(context, region, now.penetration);
+  } else if (!leaves) {
+    memory.release_penetration = std::max(now.penetration, 0.0) + touch_tolerance;
+  }
+}
+
+void ContactElement::handle_event(int event, EventContext& context) const {
+  // Two events may be located at the same instant, and the first may have made the second void.
+  const bool apart = context.contact->phase == ContactPhase::apart;
+  switch (event) {
+    case onset:
+      if (apart) handle_onset(context);
+      break;
+    case release:
+    case pull_off:
+      if (!apart) handle_release(context, event == pull_off);
+      break;
+    case turn:
+      if (context.contact->phase == ContactPhase::compressing) handle_turn(context);
+      break;
+    case reload:
+      if (context.contact->phase == ContactPhase::restituting) handle_reload(context);
+      break;
+    case forget:
+      if (apart && has_memory(*context.contact)) handle_forget(context);
+      break;
+    case region_end:
+      if (!apart || has_memory(*context.contact)) handle_region_end(context);
+      break;
+    case limit:
+      if (!apart) {
+        const int region = context.contact->region;
+        check_limit(context, region, geometry_->penetration(context.input.motion, region));
+      }
+      break;
+    case kink:
+      if (!apart || is_lifted(*context.contact)) handle_kink(context);
+      break;
+    default:
+      break;
+  }
+}
+
+void ContactElement::handle_onset(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  const int region = watched_region(context.input.motion, memory);
+  const Approach now = calc_approach(context, region);
+  const bool remembered = has_memory(memory);
+  if (!is_lifted(memory)) {
+    const double threshold = remembered ? memory.permanent_set : 0.0;
+    const bool enters = now.rate > 0.0 && leaves_band(now.rate, now.acceleration);
+    if (!enters && now.penetration <= threshold + 0.5 * touch_tolerance) {
+      memory.release_penetration = std::max(now.penetration, threshold) + touch_tolerance;
+      return;
+    }
+  }
+  if (remembered) {
+    // The same contact goes on: what it recorded at its first onset stays.
+    memory.phase = law(region).dissipation.needs_largest_penetration() ? ContactPhase::restituting
+                                                                       : ContactPhase::compressing;
+    memory.release_penetration = 0.0;
+  } else {
+    begin(context, region, now);
+  }
+  record(context, "onset", region, now);
+}
+
+void ContactElement::begin(EventContext& context, int region, const Approach& now) const {
+  ContactMemory& memory = *context.contact;
+  memory = {};
+  memory.phase = ContactPhase::compressing;
+  memory.region = region;
+  memory.onset_time = context.input.motion.t;
+  memory.approach_velocity = std::max(now.rate, 0.0);
+  memory.effective_mass = context.effective_mass(now.gradient.data());
+  note_side_of_kink(memory, now);
+  if (now.rate <= 0.0 && law(region).dissipation.needs_largest_penetration())
+    end_compression(memory, now.penetration);
+}
+
+void ContactElement::note_side_of_kink(ContactMemory& memory, const Approach& now) const {
+  const ContactLaw& here = law(memory.region);
+  memory.past_kink = here.dissipation.has_kink() &&
+                     here.dissipation.kink({now.penetration, now.rate, memory}, here.elastic) > 0.0;
+}
+
+void ContactElement::end_compression(ContactMemory& memory, double penetration) const {
+  const ContactLaw& here = law(memory.region);
+  memory.phase = ContactPhase::restituting;
+  memory.largest_penetration = penetration;
+  memory.permanent_set = here.dissipation.permanent_set(memory, here.elastic);
+}
+
+void ContactElement::handle_release(EventContext& context, bool lifted) const {
+  ContactMemory& memory = *context.contact;
+  const int region = memory.region;
+  const Approach now = calc_approach(context, region);
+  // Just after an onset the integrator's noise can take d below zero once more on its way in.
+  if (!lifted && now.rate > 0.0 && leaves_band(now.rate, now.acceleration)) return;
+  const double let_go = memory.permanent_set;
+  memory.phase = ContactPhase::apart;
+  if (lifted && now.penetration > let_go + 2.0 * touch_tolerance) {
+    memory.release_penetration = now.penetration;
+  } else {
+    const bool leaves = now.rate < 0.0 && leaves_band(now.rate, now.acceleration);
+    memory.release_penetration =
+        leaves ? let_go : std::max(now.penetration, let_go) + touch_tolerance;
+  }
+  record(context, "release", region, now);
+}
+
+void ContactElement::handle_turn(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  const Approach now = calc_approach(context, memory.region);
+  end_compression(memory, now.penetration);
+  record(context, "turn", memory.region, now);
+}
+
+void ContactElement::handle_reload(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  const Approach now = calc_approach(context, memory.region);
+  if (now.rate > 0.0 && leaves_band(now.rate, now.acceleration)) {
+    memory.phase = ContactPhase::compressing;
+    record(context, "reload", memory.region, now);
+  } else {
+    end_compression(memory, now.penetration);  // creeps past by the margin: the end moves along
+  }
+}
+
+void ContactElement::handle_forget(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  if (is_lifted(memory) && memory.permanent_set > 2.0 * touch_tolerance) {
+    memory.release_penetration = memory.permanent_set;
+    return;
+  }
+  const int region = memory.region;
+  memory = {};
+  memory.region = region;
+  // A rest of rounding must not leave the onset on the wrong side of zero.
+  const Approach now = calc_approach(context, region);
+  if (!(now.rate < 0.0 && leaves_band(now.rate, now.acceleration)))
+    memory.release_penetration = std::max(now.penetration, 0.0) + touch_tolerance;
+}
+
+void ContactElement::handle_region_end(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  const double stored_before = calc_law(context.input, memory).stored_energy;
+  memory.region = geometry_->successor(context.input.motion, memory.region);
+  const Approach now = calc_approach(context, memory.region);
+  record(context, "region", memory.region, now);
+  note_side_of_kink(memory, now);
+  if (memory.phase == ContactPhase::apart) return;
+
+  // The law may be another one: bring the memory to what it expects.
+  const DissipativeLaw& dissipation = law(memory.region).dissipation;
+  if (!dissipation.needs_largest_penetration()) {
+    memory.phase = ContactPhase::compressing;
+    memory.largest_penetration = memory.permanent_set = 0.0;
+  } else if (memory.phase == ContactPhase::restituting) {
+    end_compression(memory, memory.largest_penetration);
+  } else if (now.rate < 0.0) {
+    end_compression(memory, now.penetration);
+  }
+  // Laws of different stiffness store different energies at the same penetration.
+  if (context.dissipate)
+    context.dissipate(stored_before - calc_law(context.input, memory).stored_energy);
+  check_limit(context, memory.region, now.penetration);
+}
+
+/// The memory changes, so the integrator starts afresh.
+void ContactElement::handle_kink(EventContext& context) const {
+  context.contact->past_kink = !context.contact->past_kink;
+}
+
+void ContactElement::check_limit(EventContext& context, int region, double penetration) const {
+  const ContactLaw& here = law(region);
+  if (penetration < (usable_share_of_limit - 1e-9) * limit_of(region)) return;
+  context.fail(fmt::format(
+      "{}: at t = {:.9g} s the penetration {:g} m has reached {:g} % of the {:g} m where "
+      "the law '{}' ends",
+      region_names_[static_cast<std::size_t>(region)], context.input.motion.t, penetration,
+      100.0 * usable_share_of_limit, limit_of(region), here.name()));
+}
+
+void ContactElement::record(EventContext& context, const char* kind, int region,
+                            const Approach& now) const {
+  if (!context.record) return;  // at the start of a run nobody may be listening
+  EventRecord event;
+  event.kind = kind;
+  event.region = region_names_[static_cast<std::size_t>(region)];
+  event.speed = now.rate;
+  event.penetration = now.penetration;
+  context.record(std::move(event));
+}
+
+}  // namespace yoke

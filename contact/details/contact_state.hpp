@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What the files of the contact element share: vectors over the coordinates of its two bodies, and
+// how a memory is read.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <yoke/contact/contact_element.hpp>
+
+namespace yoke {
+
+inline constexpr std::size_t columns = ContactKinematics::columns;
+using ContactRow = std::array<double, columns>;
+
+/// Share of a law's limit at which a run stops. The event must be found by steps that still
+/// evaluate the law, and at the limit itself a law may have an infinite stiffness.
+inline constexpr double usable_share_of_limit = 0.99;
+
+inline double dot(const ContactRow& a, const ContactRow& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < columns; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+inline ContactRow times(const std::array<double, columns * columns>& matrix, const ContactRow& v) {
+  ContactRow product{};
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = 0; j < columns; ++j) product[i] += matrix[i * columns + j] * v[j];
+  return product;
+}
+
+// The two kinds of "apart" with a memory; margins keep a put-off onset from being taken for them.
+inline bool has_memory(const ContactMemory& m) {
+  return m.release_penetration > 2.0 * touch_tolerance;
+}
+inline bool is_lifted(const ContactMemory& m) {
+  return m.phase == ContactPhase::apart &&
+         m.release_penetration > m.permanent_set + 2.0 * touch_tolerance;
+}
+
+}  // namespace yoke

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Assembly of a state, and what to say where equations contradict each other.
+#include <algorithm>
+#include <cmath>
+
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/least_change.hpp>
+
+namespace yoke {
+
+namespace {
+constexpr int max_assembly_iterations = 60;
+// Reciprocal condition below which the equations are looked at by a rank-revealing QR.
+constexpr double suspicious = 1e-11;
+// Residual of an equation left out, in length scales or rad, or of its rates in parts of what they
+// are made of, above which it contradicts the others.
+constexpr double agreement = 1e-8;
+}  // namespace
+
+// Do the equations left out hold for the rates and accelerations found without them?
+Outcome Dynamics::check_left_out(const State& state, const RankAnalysis& analysis) {
+  system_.bind(state);
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  std::vector<double> gamma(at(system_.rows())), rate(gamma);
+  for (const ConstraintSlot& c : system_.constraints())
+    c.element->evaluate(
+        system_.motion(),
+        {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = gamma.data() + c.row});
+  factorised_ = false;
+  system_.calc_velocity_residual(rate.data());
+  const double length = system_.scales().length;
+  double speed = 0.0, acceleration = 0.0;
+  for (int i = 0; i < system_.dofs(); ++i) {
+    const double size = i % 3 == 2 ? 1.0 : length;
+    speed = std::max(speed, std::abs(state.v[i]) / size);
+    acceleration = std::max(acceleration, std::abs(state.a[i]) / size);
+  }
+  acceleration = std::max(acceleration, speed * speed);
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      const int row = c.row + i;
+      if (std::ranges::find(analysis.dependent, row) == analysis.dependent.end()) continue;
+      double residual = -gamma[at(row)];
+      for (int j = 0; j < c.columns; ++j)
+        if (const int dof = system_.dof()[at(c.dofs + j)]; dof >= 0)
+          residual += system_.G()[c.block + i * c.columns + j] * state.a[dof];
+      const bool is_length = system_.measure(row) == Measure::length;
+      const double size = is_length ? length : 1.0;
+      const auto refuse = [&](const char* what, double value, const char* per) {
+        return Outcome{false,
+                       fmt::format("'{}' is in conflict with {}: its {} stays violated by "
+                                   "{:g} {}/{}",
+                                   system_.equation_name(row), partners_of(system_, analysis, row),
+                                   what, value, is_length ? "m" : "rad", per)};
+      };
+      if (std::abs(rate[at(row)]) > agreement * size * (speed + 1e-12))
+        return refuse("rate", rate[at(row)], "s");
+      if (std::abs(residual) > agreement * size * (acceleration + 1e-12))
+        return refuse("acceleration", residual, "s^2");
+    }
+  }
+  return {};
+}
+
+Outcome Dynamics::assemble(State& state) {
+  system_.bind(state);
+  const Eigen::VectorXd q = state.q, v = state.v;
+  bool positions = false;
+  for (int round = 0; round * max_projection_iterations < max_assembly_iterations; ++round) {
+    positions = project_positions(state.t, state.q.data());
+    if (positions) break;
+    if (!std::isfinite(worst_residual_))
+      return {false, "a joint gives a value that is not finite at the start pose"};
+    if (!factorised_) break;
+  }
+  if (positions && project_velocities(state.t, state.q.data(), state.v.data()) &&
+      lu_->reciprocal_condition() > suspicious)
+    return finish_assembly(state);
+  state.q = q;
+  state.v = v;
+  return assemble_from_afar(state);
+}
+
+Outcome Dynamics::finish_assembly(State& state) {
+  if (calc_accelerations(state)) return {};
+  if (system_.not_finite().empty())
+    return {false, "the mass matrix or a joint is singular at the start pose"};
+  return {false, fmt::format("accelerations at the start are not finite because of '{}'",
+                             system_.not_finite())};
+}
+
+Outcome Dynamics::explain_positions(const LeastChange& failed) const {
+  const int worst = failed.worst_row();
+  const double residual = failed.residual()[at(worst)];
+  // Where the sum of squares is least, what is left of the equations is in balance with each other.
+  std::string others;
+  int count = 0;
+  for (int i = 0; i < system_.rows() && count < 5; ++i) {
+    if (i == worst || std::abs(failed.residual()[at(i)]) < 0.1 * std::abs(residual)) continue;
+    others += (others.empty() ? ", in conflict with '" : ", '") + system_.equation_name(i) + "'";
+    ++count;
+  }
+  return {false, fmt::format("the start pose cannot be assembled: '{}' stays violated by {:g} {}{}",
+                             system_.equation_name(worst), residual,
+                             system_.measure(worst) == Measure::length ? "m" : "rad", others)};
+}
+
+Outcome Dynamics::assemble_from_afar(State& state) {
+  factorised_ = false;
+  LeastChange nearest(system_, {system_.mass().begin(), system_.mass().end()});
+  if (!nearest.solve_positions(state.t, state.q.data())) return explain_positions(nearest);
+  redundancy_ = analyse_redundancy(system_, state);
+  if (!redundancy_.conflict.empty()) return {false, redundancy_.conflict};
+  if (!nearest.solve_velocities(state.t, state.q.data(), state.v.data())) {
+    const int worst = nearest.worst_row();
+    return {false,
+            fmt::format("'{}' is in conflict with {}: its rate stays violated by {:g} {}/s",
+                        system_.equation_name(worst), partners_of(system_, redundancy_.here, worst),
+                        nearest.residual()[at(worst)],
+                        system_.measure(worst) == Measure::length ? "m" : "rad")};
+  }
+  return settle_redundancy(state);
+}
+
+Outcome Dynamics::settle_redundancy(State& state) {
+  leave_out(redundancy_.here.dependent);
+  if (Outcome outcome = finish_assembly(state); !outcome) return outcome;
+  if (redundancy_.here.dependent.empty()) return {};
+  if (Outcome outcome = check_left_out(state, redundancy_.here); !outcome) {
+    if (redundancy_.singular_here)
+      outcome.why +=
+          "; the start is a singular position, where the velocities must be those of one "
+          "of the branches that meet there: give them, or start beside it";
+    return outcome;
+  }
+  if (!redundancy_.singular_here) return {};
+  if (state.v.isZero(0.0) && system_.dofs() > redundancy_.rank)
+    return {false, fmt::format(
+                       "the start is a singular position at rest ('{}' depends on {} only there): "
+                       "nothing says on which branch it moves on; give a velocity or start beside "
+                       "it",
+                       system_.equation_name(redundancy_.here.dependent.front()),
+                       partners_of(system_, redundancy_.here, redundancy_.here.dependent.front()))};
+  leave_out(redundancy_.redundant);
+  return project_singular(state)
+             ? Outcome{}
+             : Outcome{false, "accelerations at the singular position of the start do not exist"};
+}
+
+std::string Dynamics::contradiction(double t, const double* q, double bound) {
+  if (system_.dropped_rows().empty()) return {};
+  system_.set_motion(t, q, zero_.data());
+  // Without G, so that the factors stay those of the blocks.
+  for (const ConstraintSlot& c : system_.constraints()) {
+    bool left_out = false;
+    for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_dropped(i);
+    if (left_out) c.element->evaluate(system_.motion(), {.phi = phi_.data() + c.row});
+  }
+  for (const int row : system_.dropped_rows()) {
+    const bool is_length = system_.measure(row) == Measure::length;
+    const double residual = phi_[at(row)];
+    if (std::abs(residual) <= bound * (is_length ? system_.scales().length : 1.0)) continue;
+    return fmt::format(
+        "'{}' was redundant at the start but is in conflict with {} at t = {:.9g} s: "
+        "it is violated by {:g} {}",
+        system_.equation_name(row), partners_of(system_, redundancy_.here, row), t, residual,
+        is_length ? "m" : "rad");
+  }
+  return {};
+}
+
+}  // namespace yoke

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// What is measured of a state: independence of the equations, effective mass, violations.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/equations/index.hpp>
+
+namespace yoke {
+
+double Dynamics::independence(double t, const double* q, int iterations) {
+  const int n = system_.dofs(), rows = system_.rows();
+  if (weakest_.empty()) {  // no direction yet
+    weakest_.resize(at(rows));
+    for (int i = 0; i < rows; ++i) weakest_[at(i)] = std::cos(1.0 + 2.4 * i);
+    row_size_.assign(at(rows), 1.0);
+    iterations = std::max(iterations, 6);
+  }
+  if (!same_as_factorised(t, q)) {
+    system_.set_motion(t, q, zero_.data());
+    system_.calc_position_level(phi_.data());
+    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
+    if (!factorise_at(t, q)) return 0.0;
+  }
+  for (const ConstraintSlot& c : system_.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      double sum = 0.0;
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system_.dof()[at(c.dofs + j)];
+        const double g = system_.G()[c.block + i * c.columns + j];
+        if (dof >= 0) sum += g * g / system_.mass()[at(dof)];
+      }
+      row_size_[at(c.row + i)] = sum > 0.0 && !system_.is_dropped(c.row + i) ? std::sqrt(sum) : 0.0;
+    }
+  }
+  double eigenvalue = 0.0;
+  for (int round = 0; round < iterations; ++round) {
+    double before = 0.0, after = 0.0;
+    std::fill_n(b_.begin(), n, 0.0);
+    for (int i = 0; i < rows; ++i) {
+      // A little of everything, or a direction the last one has no part in would stay unseen.
+      const double w =
+          row_size_[at(i)] > 0.0 ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
+      b_[at(n + i)] = w * row_size_[at(i)];
+      before += w * w;
+    }
+    lu_->solve(b_.data());
+    for (int i = 0; i < rows; ++i) {
+      weakest_[at(i)] = row_size_[at(i)] * b_[at(n + i)];
+      after += weakest_[at(i)] * weakest_[at(i)];
+    }
+    if (!(after > 0.0) || !std::isfinite(after)) return after == 0.0 ? 1.0 : 0.0;
+    eigenvalue = std::sqrt(before / after);
+    double largest = 0.0;
+    for (int i = 0; i < rows; ++i) {
+      weakest_[at(i)] /= std::sqrt(after);
+      if (std::abs(weakest_[at(i)]) <= largest) continue;
+      largest = std::abs(weakest_[at(i)]);
+      weakest_row_ = i;
+    }
+  }
+  return eigenvalue;
+}
+
+double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) {
+  std::fill(b_.begin(), b_.end(), 0.0);
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) b_[at(dof)] += direction[j];
+  lu_->solve(b_.data());
+  double mobility = 0.0;
+  for (int j = 0; j < slot.columns; ++j)
+    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0)
+      mobility += direction[j] * b_[at(dof)];
+  return mobility > 0.0 ? 1.0 / mobility : std::numeric_limits<double>::infinity();
+}
+
+double Dynamics::position_violation(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.calc_position_level(phi_.data());
+  double worst = 0.0;
+  for (const double r : phi_) worst = std::max(worst, std::abs(r));
+  worst_residual_ = system_.norm(phi_.data(), &worst_row_);
+  factorised_ = false;  // G changed under the factors
+  return worst;
+}
+
+double Dynamics::velocity_violation(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.calc_position_level(phi_.data());
+  system_.calc_velocity_residual(residual_.data());
+  double worst = 0.0;
+  for (const double r : residual_) worst = std::max(worst, std::abs(r));
+  factorised_ = false;
+  return worst;
+}
+
+}  // namespace yoke

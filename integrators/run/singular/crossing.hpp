@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The formulation that singular_crossing.hpp describes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <yoke/core/result.hpp>
+#include <yoke/integrators/formulations/event_guard.hpp>
+#include <yoke/integrators/formulations/formulation.hpp>
+#include <yoke/integrators/run/singular/gauss_collocation.hpp>
+
+namespace yoke {
+
+class SingularCrossing final : public Formulation {
+ public:
+  SingularCrossing(const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
+                   std::function<void(const SingularPosition&)> record);
+
+  void start(const State& state) override;
+  Step step(double t_stop) override;
+  double time() const override { return crossing_ ? t_ : inner_->time(); }
+  double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
+  void interpolate(double t, State& state) override;
+  const std::vector<int>& fired() const override {
+    return crossing_ ? guard_.fired() : inner_->fired();
+  }
+  const std::vector<int>& passed() const override {
+    return crossing_ ? guard_.passed() : inner_->passed();
+  }
+  StepCounters counters() const override;
+  std::string failure() const override { return crossing_ ? failure_ : inner_->failure(); }
+
+ private:
+  static constexpr double near = 0.02;  // of the largest independence seen: leave the formulation
+  static constexpr double far = 1e300;  // [s] no singular position in sight
+  // Of the time scale: steps are not cut below for accuracy; while a contact touches its impact must
+  // be followed.
+  static constexpr double shortest_apart = 1e-3, shortest_touching = 1e-7;
+
+  Step step_inside(double t_stop);
+  void renew();
+  Step cross(double t_stop);
+  void watch();
+  bool choose_other_rows();
+  void begin_crossing();
+  bool try_step(double t_stop);
+  double propose(double rest) const;
+  Step accept_segment();
+  bool find_event(int& slot, double& t);
+  void end_crossing();
+  void report();
+  double energy(double t, const double* y);
+  void unpack(double t, const double* y, State& state) const;
+  void check_redundant(double t, const double* q);
+
+  const FormulationEntry& entry_;
+  Dynamics& dynamics_;
+  Tolerances tolerances_;
+  double shortest_ = shortest_apart;
+  std::function<void(const SingularPosition&)> record_;
+  std::unique_ptr<Formulation> inner_;
+  GaussCollocation gauss_, check_;
+  EventGuard guard_;
+  StepCounters before_{}, own_{};
+  bool watches_;
+  std::vector<bool> is_work_;
+
+  State here_;                      // where the last step ended, or a restart began
+  double m_ = 1.0, largest_ = 0.0;  // independence there and the largest seen
+  double t_m_ = 0.0, m_before_ = 1.0, dt_ = 1.0;
+  bool has_before_ = false;
+  double hold_off_ = 2.0;  // enter only below this: what has proved to be harmless is above
+
+  bool crossing_ = false, entering_ = false, leaving_ = false;
+  GaussCollocation::Segment segment_, trial_;
+  double t_ = 0.0, h_ = 0.0, to_singular_ = far;
+  int segments_ = 0;
+  double m_entry_ = 0.0, m_last_ = 0.0;
+  double energy_entry_ = 0.0, kinetic_entry_ = 0.0;
+  SingularPosition found_;
+  bool has_found_ = false;
+  std::vector<double> y_, g_;
+  std::vector<int> found_events_;
+  std::string failure_;
+};
+
+}  // namespace yoke
