@@ -5,6 +5,6 @@
 namespace yoke {
 
 /// The version of the project; the build reads it from this line.
-inline constexpr const char* version = "0.1.0";
+inline constexpr const char* version = "0.2.0";
 
 }  // namespace yoke

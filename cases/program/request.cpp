@@ -96,7 +96,8 @@ void add_case_options(CLI::App& verb, RequestOptions& o) {
   verb.add_option("--rtol", o.relative_tolerance, "Relative tolerance, 1e-13 to 1e-2")
       ->type_name("X")
       ->capture_default_str();
-  verb.add_option("--formulation", o.formulation, "How to integrate; see below or 'yoke list'")
+  verb.add_option("--formulation", o.formulation,
+                  "Formulation and integrator; see below or 'yoke list'")
       ->type_name("NAME");
   verb.add_option("--jobs", o.jobs, "Runs at a time; default: one per processor")->type_name("N");
 }
@@ -113,15 +114,15 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->capture_default_str();
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
   verb.add_flag("--verify", o.verify,
-                "Run again by another formulation at a tighter tolerance and tell how many digits "
-                "of each quantity agree");
+                "Run again with another formulation at a tighter tolerance and print how many "
+                "digits of each quantity agree");
   verb.add_option("--checkpoint", o.checkpoint,
-                  "Write a checkpoint every so much simulated time, as 0.01s, to go on from with "
-                  "'yoke resume DIR'")
+                  "Write a checkpoint at this interval of simulated time, for instance 0.01s; "
+                  "'yoke resume DIR' continues from it")
       ->type_name("TIME");
   verb.add_option_function<long>(
           "--checkpoint-events", [&o](long n) { o.checkpoint_events = checked_events(n); },
-          "Write a checkpoint at every so many contact events")
+          "Write a checkpoint every N contact events")
       ->type_name("N");
   verb.add_option("--spectral-radius", o.spectral_radius,
                   "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "

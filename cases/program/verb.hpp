@@ -34,9 +34,9 @@ struct StudyVerb {
   const char* description;
 };
 inline constexpr StudyVerb study_verbs[] = {
-    {"study", "Test what is claimed about a case; prints Markdown, for docs/CASE.md"},
-    {"validate", "Measure the engine against what it promises; prints Markdown"},
-    {"reproduce", "Make the paper's tables and figures of the contact laws again"},
+    {"study", "Test published statements about a case; prints Markdown"},
+    {"validate", "Measure the engine against reference solutions; prints Markdown"},
+    {"reproduce", "Reproduce the paper's tables and figures of the contact laws"},
 };
 void add_study_verb(CLI::App& app, Action& action);
 void add_validate_verb(CLI::App& app, Action& action);

@@ -56,7 +56,7 @@ int report(const Equilibrium& e, const RunRequest& request, const AnalysisOption
 
 void add_equilibrium_verb(CLI::App& app, Action& action) {
   add_analysis_verb(
-      app, action, "equilibrium", "Where a case rests under its loads, contacts included",
+      app, action, "equilibrium", "Static equilibrium of a case under its loads, contacts included",
       [](CLI::App& verb, AnalysisOptions& options) {
         verb.add_flag("--allow-neutral", options.allow_neutral,
                       "Accept an equilibrium that leaves a motion free");

@@ -184,7 +184,7 @@ int impact_verb(const ImpactOptions& o) {
 
 void add_impact_verb(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand(
-      "impact", "One central impact through the engine, beside the law's closed form");
+      "impact", "Simulate one central impact and compare it with the closed form of the law");
   auto o = std::make_shared<ImpactOptions>();
   add_elastic_options(*verb, o->elastic);
   verb->add_option("--dissipation", o->dissipation, "Dissipative law: a name of 'yoke law list'")

@@ -15,7 +15,7 @@ namespace yoke::cases {
 
 void add_resume_verb(CLI::App& app, Action& action) {
   CLI::App* verb = app.add_subcommand(
-      "resume", "Go on with a run that was interrupted or killed, from its last checkpoint");
+      "resume", "Resume a run that was interrupted or killed, from its last checkpoint");
   auto folder = std::make_shared<std::string>();
   verb->add_option("DIR", *folder, "The folder 'yoke run ... --checkpoint TIME -o DIR' writes to")
       ->required();
