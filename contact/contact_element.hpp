@@ -11,38 +11,38 @@
 // The state machine. Between events the formula of one region is continued smoothly, whatever the
 // sign of d; transitions happen at located events only:
 //   apart        no force. `onset` when d of the nearest region crosses zero upwards.
-//   compressing  the law's force. `release` when d falls below zero, or, if the law says so, where
-//                the force would pull. `turn` at d' = 0, only if the law needs the end of
+//   compressing  the law's force. `release` when d falls below zero or, depending on the law, where
+//                the force would become tensile. `turn` at d' = 0, only if the law needs the end of
 //                compression.
 //   restituting  after `turn`, until `release` at the permanent set, or until a reload passes the
 //                largest penetration (`reload`), which is compression again.
 //   region       in contact, when the point of contact passes into the next region.
-//   closest      apart, at the deepest or nearest point of an approach (d' = 0): nothing happens,
-//                but a touch that came and went within one step is noticed there, and located.
-//   kink         where the law's formula has a corner, if it says so: the method starts afresh.
-//   fullest      lifted (below), where the law's force is largest over d: nothing happens, but a
-//                force that came and went within one step is noticed there.
-//   failure      at 99 % of the largest penetration the elastic law is valid for. The step that
-//                meets it sees the law continued along its tangent.
-// Two kinds of "apart" have a memory, told apart by memory.release_penetration:
-//   dented       let go at a permanent set > 0: met again at that penetration, on the unloading
-//                line, until d falls below zero and all is forgotten.
-//   lifted       let go at zero force with d above the permanent set: the surface relaxes after the
-//                pin without a force. Its stored energy goes on falling with d, counted as
-//                dissipated (D = -dS/dt). The contact resumes where the law's force turns positive
-//                again, and ends for good at the permanent set.
+//   closest      apart, at the deepest or nearest point of an approach (d' = 0): no transition,
+//                but a touch that began and ended within one step is detected and located.
+//   kink         where the law declares a corner of its formula: the integrator restarts.
+//   fullest      lifted (below), where the law's force is largest over d: no transition, but a
+//                force that appeared and vanished within one step is detected.
+//   failure      at 99 % of the largest penetration for which the elastic law is valid. Within the
+//                step that meets it, the law is continued along its tangent.
+// Two kinds of "apart" have a memory; memory.release_penetration distinguishes them:
+//   dented       released at a permanent set > 0. The next contact begins at that penetration, on
+//                the unloading line, until d falls below zero and the memory is cleared.
+//   lifted       released at zero force with d above the permanent set: the surface relaxes behind
+//                the pin without a force. Its stored energy continues to fall with d and counts as
+//                dissipated (D = -dS/dt). The contact resumes where the law's force becomes
+//                positive again, and ends finally at the permanent set.
 // Where two regions have different laws, the stored energy jumps from one law's to the other's as
-// the contact passes over; the jump is booked as dissipation (of either sign). So the energy ledger
-// closes through every transition.
+// the contact passes over; the jump counts as dissipation (of either sign). So the energy ledger
+// stays balanced through every transition.
 //
-// Rounding. At an event d is zero up to rounding, of either sign, and a function that starts on the
-// wrong side of zero never crosses it: a pin could pass through a wall, or stick to it. What
-// decides is whether the present rate carries d out of a band of +-touch_tolerance whatever the
-// acceleration does (`leaves_band`). If it does not, a contact that would begin does not yet, one
-// that lets go is apart all the same, and in both cases the next onset is put off until d has grown
-// by the tolerance: its function is then negative for certain, and a pressing load is caught 1e-11
-// m later. The same margin guards the ends of regions, reloads and the return from "lifted". So
-// nothing fires twice without a movement in between.
+// Rounding. At an event d is zero up to rounding, with either sign, and a function that starts on
+// the wrong side of zero never crosses it: a pin could pass through a wall, or stick to it. The
+// criterion is whether the present rate carries d out of a band of +-touch_tolerance whatever the
+// acceleration does (`leaves_band`). If it does not, an onset is postponed, and a release leads to
+// "apart"; in both cases the next onset waits until d has grown by the tolerance. Its function is
+// then certainly negative, and a pressing load is caught 1e-11 m later. The same margin applies to
+// the ends of regions, reloads and the return from "lifted". So nothing fires twice without a
+// movement in between.
 #pragma once
 
 #include <array>
@@ -71,7 +71,7 @@ class ContactElement final : public ForceElement {
 
   int contacts() const override { return 1; }
   /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
-  /// A memory of contact is kept if the bodies are where it says: the run goes on from a snapshot.
+  /// A memory that agrees with the positions of the bodies is kept: the run continues a snapshot.
   void initialise_contacts(EventContext& context) const override;
   /// The smallest penetration under the reference force among the regions' laws.
   double penetration_scale() const override { return penetration_scale_; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The event functions of a contact; what happens where they cross zero is in contact_transitions.cpp.
+// The event functions of a contact; what happens where they cross zero is in
+// contact_transitions.cpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

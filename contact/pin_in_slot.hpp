@@ -6,7 +6,7 @@
 // the curvature of the distance to the centreline (slot.hpp), over (r_a, angle_a, r_b, angle_b):
 //   d = D - (half_width - pin radius)
 //   g = [n, n.perp(s), -n, -n.perp(w)]      tau = the same with t for n
-//   H = bend tau^T tau, and besides
+//   H = bend tau^T tau, and in addition
 //       H[angle_a, angle_a] -= n.s      H[angle_b, angle_b] -= n.w      H[angle_a, angle_b] += n.s
 //       H[r_a, angle_b] += perp(n)      H[r_b, angle_b] -= perp(n)
 #pragma once

@@ -21,8 +21,8 @@ struct CoordinateValue {
   double value = 0.0;  // [m, rad] or [m/s, rad/s]
 };
 
-/// A coordinate that chooses between assemblies: the one is taken where it lies within `within` of
-/// the value. Angles are compared without whole turns.
+/// Selects one of several assemblies: that in which the coordinate lies within `within` of the
+/// value. Angles are compared without whole turns.
 struct Near {
   std::string body;
   Coordinate coordinate = Coordinate::angle;
@@ -32,18 +32,18 @@ struct Near {
 
 struct AssemblyOptions {
   std::vector<CoordinateValue> hold{};   // exactly
-  std::vector<Near> near{};              // on this side
+  std::vector<Near> near{};              // selects the branch
   std::vector<CoordinateValue> rates{};  // velocities given; the others change least
   /// Weight of each body in "least change" instead of its mass; by name, others keep their mass.
   std::vector<std::pair<std::string, double>> weights{};
   int starts = 60;  // poses tried beyond the first, if that does not lead to an assembly
 };
 
-/// The consistent state nearest to the start pose of the model, or to `rough`. Gauss and Newton's
-/// iteration with damping; where it does not converge, or ends on the wrong side, it is begun again
-/// from other angles (the same in every call). Throws ModelError naming the joint, the equation and
-/// the residual with its unit if no pose satisfies the joints and holds, if none found is on the
-/// side asked for, if the rates cannot be had, or if equations are in conflict.
+/// The consistent state nearest to the start pose of the model, or to `rough`, by damped
+/// Gauss-Newton iteration. If it does not converge, or ends on another branch, it restarts from
+/// other angles (the same in every call). Throws ModelError naming the joint, the equation and the
+/// residual with its unit if no pose satisfies joints and `hold`, if none is found on the requested
+/// branch, if the rates are impossible, or if equations are in conflict.
 State assemble(const Model& model, const AssemblyOptions& options = {});
 State assemble(const Model& model, const State& rough, const AssemblyOptions& options);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The scalar users' own elements are differentiated with: a value together with its derivatives by
-// N variables, f = (f0; df/dx_1 ... df/dx_N). The rules are those of Eigen's AutoDiffScalar; Dual
+// The scalar with which users' own elements are differentiated: a value with its derivatives by N
+// variables, f = (f0; df/dx_1 ... df/dx_N). The rules are those of Eigen's AutoDiffScalar; Dual
 // only evaluates each operation at once. AutoDiffScalar itself returns expressions that refer to
 // their operands, so that `auto d = a * b;` or a lambda that returns `a * b` dangles, and the two
 // arms of a ternary have different types. With Dual all of that is plain arithmetic:
@@ -13,7 +13,7 @@
 //     return d.norm() - length;
 //   }
 //
-// What to keep in mind: write sin, sqrt, pow ... without std:: (the right one is found by its
+// Rules for users: write sin, sqrt, pow ... without std:: (the right one is found by its
 // argument), do not cast T to double (it would lose the derivatives), and for Eigen expressions of
 // vectors the usual rule of Eigen holds: name the type (Eigen::Vector2<T>) where one is kept.
 #pragma once
@@ -46,7 +46,7 @@ class Dual {
 
   const Scalar& value() const { return ad_.value(); }
   const Gradient& gradient() const { return ad_.derivatives(); }
-  /// f with the value f0 and the slope df/dx here: what the rules of Eigen do not cover.
+  /// A function with value f0 and slope df/dx here, for what the rules of Eigen do not cover.
   Dual chain(const Scalar& f, const Scalar& slope) const {
     return Dual(f, Gradient(gradient() * slope));
   }

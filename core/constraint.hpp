@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The seam for joints: a constraint Phi(q, t) = 0 on one or more bodies, as blocks over the
-// coordinates of those bodies only. The global matrix is nobody's business here.
+// Interface of joints: a constraint Phi(q, t) = 0 on one or more bodies, as blocks over the
+// coordinates of those bodies. A joint never sees the global matrix.
 //
 //   Phi(q, t) = 0                    rows equations, [m] or [rad]
 //   G  = dPhi/dq                     rows x 3k, k bodies, (x, y, angle) of each in turn
@@ -10,7 +10,7 @@
 //   G v' = gamma                     acceleration level, gamma = -(H v + d(G v + Phi_t)/dt)
 //   H  = d(G v + Phi_t)/dq           rows x 3k
 //   K  = d(G^T lambda)/dq            3k x 3k, symmetric
-//   M v' + G^T lambda = Q            so the joint pushes the bodies with -G^T lambda
+//   M v' + G^T lambda = Q            so the joint acts on the bodies with -G^T lambda
 #pragma once
 
 #include <cstdint>
@@ -24,16 +24,16 @@ namespace yoke {
 
 class Model;
 
-enum class Measure { length, angle };  ///< what an equation of Phi is measured in: [m] or [rad]
+enum class Measure { length, angle };  ///< unit of an equation of Phi: [m] or [rad]
 
-/// One scalar equation of a joint, as it is named in errors: "pivot: x".
+/// One scalar equation of a joint; errors call it "pivot: x".
 struct Equation {
   std::string label;
   Measure measure = Measure::length;
 };
 
-/// What evaluate() shall compute. A null pointer means "not wanted". All blocks are row-major. G
-/// and H keep the zeros outside the declared pattern; K is zero on entry.
+/// The blocks that evaluate() computes; null pointers are skipped. All blocks are row-major. G and
+/// H keep the zeros outside the declared pattern; K is zero on entry.
 struct ConstraintRequest {
   double* phi = nullptr;           // [rows]
   double* G = nullptr;             // [rows x 3k]
@@ -41,7 +41,7 @@ struct ConstraintRequest {
   double* gamma = nullptr;         // [rows]
   double* H = nullptr;             // [rows x 3k]
   double* K = nullptr;             // [3k x 3k] for the multipliers `lambda`
-  const double* lambda = nullptr;  // [rows], given when K is wanted
+  const double* lambda = nullptr;  // [rows], given if K is requested
 };
 
 /// Base of every joint. Immutable once built, so threads may share it.
@@ -61,7 +61,7 @@ class Constraint {
     return pattern_.empty() || pattern_[static_cast<std::size_t>(row * columns() + column)];
   }
 
-  /// Fills what the request asks for. Called in the innermost loop: must not allocate or throw.
+  /// Fills the requested blocks. Called in the innermost loop: must not allocate or throw.
   virtual void evaluate(const Motion& motion, const ConstraintRequest& out) const = 0;
 
   /// Which of bodies() the reported reaction acts on. Default: the last.

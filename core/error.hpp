@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Errors a user can act on. A modelling mistake throws ModelError before anything moves; numerical
-// difficulty during a run is data in the Summary of the Result, never an exception.
+// Errors that a user can correct. A modelling mistake throws ModelError before the run starts; a
+// run that fails reports it in the Summary of its Result and does not throw.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// A user's own event: a function of the motion that is located where it crosses zero, and what
-// happens there. It exerts no force. Works in every formulation as contacts do.
+// An event of the user: a function of the motion, located where it crosses zero, and an action
+// there. It exerts no force. All formulations locate it in the same way as contacts.
 //
 //   model.add(EventFunction{.name = "quarter turn",
 //                           .function = [crank](const Motion& at) { return at[crank].angle -
 //                           half_pi; }, .set = {{"spring.stiffness", 200.0}}, .stop = true});
 //
 // Every crossing is recorded with kind "event" and its direction in the column of the region. A
-// jump of potential or stored energy that a changed parameter makes is booked as work of the event,
-// so the energy ledger closes through it. An event that only records does not disturb the run: the
-// integrator goes on as if nothing had been.
+// jump of potential or stored energy that a changed parameter makes is counted as work of the
+// event, so the energy ledger remains balanced. An event that only records does not restart the
+// integrator.
 #pragma once
 
 #include <functional>
@@ -33,12 +33,12 @@ struct ParameterChange {
   double value = 0.0;
 };
 
-/// What an action may do, at the located state: look at the motion, change parameters, stop.
+/// What an action may do at the located state: read the motion, change parameters, end the run.
 struct EventAction {
   const Motion& motion;
   /// A changeable parameter "element.name", to be read or changed. Throws ModelError.
   std::function<double&(std::string_view name)> parameter;
-  /// Ends the run as asked for: Stop::by_event.
+  /// Ends the run with Stop::by_event.
   std::function<void()> stop;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The seam for force elements: springs, loads, contacts. An element gives the generalised force on
-// its own bodies, its derivatives, its energy; it may own states z with z' = f(q, v, z, t),
+// Interface of force elements: springs, loads, contacts. An element computes the generalised force
+// on its own bodies, its derivatives and its energy. It may own states z with z' = f(q, v, z, t),
 // changeable parameters, a contact memory and events.
 #pragma once
 
@@ -42,7 +42,7 @@ struct Channel {
 /// Energy of one element. Powers are rates of energy leaving (dissipated) or entering (supplied).
 struct Energy {
   double potential = 0.0;         // [J] gravity, springs
-  double stored = 0.0;            // [J] what contacts would give back
+  double stored = 0.0;            // [J] what contacts would return if they unloaded now
   double dissipated_power = 0.0;  // [W], >= 0 for a passive element
   double supplied_power = 0.0;    // [W] work done on the mechanism per time by a load
 };
@@ -55,7 +55,8 @@ struct ForceInput {
   const ContactMemory* contact = nullptr;  // [contacts()]
 };
 
-/// What evaluate() shall compute; null means not wanted. Blocks are row-major and zero on entry.
+/// The blocks that evaluate() computes; null pointers are skipped. Blocks are row-major and zero on
+/// entry.
 struct ForceRequest {
   double* Q = nullptr;      // [3k] generalised force: N, N, N m about the centre of each body
   double* dQ_dq = nullptr;  // [3k x 3k]
@@ -92,13 +93,13 @@ struct EventContext {
   std::function<void(double)> dissipate{};
   std::function<void(EventRecord)> record{};  // t and element are filled in
   std::function<void(std::string)> fail{};    // stops the run with this reason
-  std::function<void()> stop{};               // ends the run here, as asked for
+  std::function<void()> stop{};               // ends the run here with Stop::by_event
   /// A changeable parameter "element.name" of any element. Throws ModelError. A jump of energy that
-  /// its change makes is booked as work of this element, if it supplies().
+  /// its change makes is counted as work of this element, if it supplies().
   std::function<double&(std::string_view)> parameter{};
 };
 
-/// How the force of an element depends on the state: what the sparsity pattern needs to know.
+/// What the force of an element depends on; determines the sparsity pattern.
 struct Dependence {
   bool position = true;
   bool velocity = true;
@@ -112,13 +113,13 @@ class ForceElement {
 
   const std::string& name() const { return name_; }
   Dependence dependence() const { return dependence_; }
-  /// The bodies it acts on, in the order of its blocks. Gravity answers: all of the model.
+  /// The bodies it acts on, in the order of its blocks. Gravity returns all bodies.
   virtual std::vector<BodyId> bodies(const Model&) const { return bodies_; }
 
-  /// Asked once before a run, when the model is whole. Throws ModelError.
+  /// Called once before a run, when the model is complete. Throws ModelError.
   virtual void check(const Model&) const {}
 
-  /// Fills what the request asks for. Innermost loop: must not allocate or throw.
+  /// Fills the requested blocks. Called in the innermost loop: must not allocate or throw.
   virtual void evaluate(const ForceInput& in, const ForceRequest& out) const = 0;
 
   virtual bool dissipates() const { return false; }  ///< keeps a quadrature of dissipated_power
@@ -137,11 +138,11 @@ class ForceElement {
   virtual int events() const { return 0; }
   virtual void calc_events(const ForceInput&, double* /*g*/) const {}
   virtual void handle_event(int /*slot*/, EventContext&) const {}
-  /// True if an event that was handled shall not fire again before its function has been negative;
-  /// false if the element itself sees to it, as contacts do by a margin.
+  /// True if a handled event must not fire again before its function has been negative; false if
+  /// the element ensures this itself, as contacts do with a margin.
   virtual bool events_settle() const { return false; }
-  /// What tells this element from another of its kind besides what it answers to evaluate(); for
-  /// fingerprints of models.
+  /// Distinguishes elements of one kind whose evaluate() returns the same; part of the fingerprint
+  /// of a model.
   virtual std::string signature() const { return {}; }
 
   virtual std::vector<Channel> channels() const { return {}; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What a mechanism is. Built by add(...), const while it moves, shared by threads.
+// A mechanism: bodies, constraints, force elements. Built by add(...), constant during a run, may
+// be shared by threads.
 #pragma once
 
 #include <concepts>
@@ -38,8 +39,8 @@ class Model {
   BodyId add(Body body);
 
   /// Adds a joint or force from its description, placed by global geometry in the start pose.
-  /// Throws ModelError for a name that is empty or taken (by a body, joint or force: names head
-  /// columns and stand in messages), an unknown body, a body given twice.
+  /// Throws ModelError for a name that is empty or taken (by a body, joint or force: columns
+  /// and messages use the names), an unknown body, a body given twice.
   template <ElementDescription D>
   void add(const D& description) {
     insert(description.build(*this));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What an element may see of the mechanism: where the bodies are and how fast they move, read only.
+// What elements read: positions and velocities of all bodies at one instant.
 #pragma once
 
 #include <cassert>

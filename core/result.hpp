@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What a run leaves behind: time histories with names and units, events, and a summary that says
-// how far it got, why it stopped and what it cost.
+// The result of a run: time histories with names and units, events, and a summary of progress,
+// reason for the end, cost and accuracy.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,14 @@
 
 namespace yoke {
 
-/// Rows of numbers under named, unit-bearing columns.
+/// Rows of numbers in columns whose names include the unit.
 class Table {
  public:
   /// Adds a column called "name_unit" ("crank.x_m"); with labels the number is an index into them.
   void add_column(std::string name, std::string_view unit, std::vector<std::string> labels = {});
   /// Room for this many rows (up to 256 MiB at once), so that appending them allocates nothing.
   void reserve(std::size_t rows);
-  /// A new row of zeros to be filled, valid until the next call.
+  /// Appends a row of zeros and returns it; valid until the next call.
   double* append();
 
   std::size_t rows() const { return rows_; }
@@ -78,7 +78,7 @@ struct Summary {
   double time_scale = 0.0;         // [s]
   double t_start = 0.0;            // [s]
   double t_end = 0.0;              // [s] how far it got
-  double t_asked = 0.0;            // [s]
+  double t_asked = 0.0;            // [s] requested end
   long steps = 0;                  // accepted
   long rejected = 0;               // error test or Newton failures
   long evaluations = 0;            // of the equations of motion, for steps and events
@@ -96,11 +96,11 @@ struct Summary {
   double energy_exchanged = 0.0;  // [J] largest of energy moved between forms, for scale
   double wall_time = 0.0;         // [s]
   int degrees_of_freedom = 0;     // 3 bodies minus the rank of the constraints
-  std::vector<std::string> redundant_equations{};   // left out, as others say the same
+  std::vector<std::string> redundant_equations{};   // left out: they follow from others
   std::vector<std::string> not_unique_reactions{};  // columns that are one possibility of many
   std::vector<SingularPosition> singular_positions{};
 
-  /// Completed, or ended by an event as asked for.
+  /// Completed, or ended by an event.
   bool ok() const { return stop == Stop::completed || stop == Stop::by_event; }
 };
 
@@ -108,7 +108,7 @@ struct Result {
   Table samples;
   std::vector<EventRecord> events;
   Summary summary;
-  State final;  // at Summary::t_end, consistent: a run can go on from it
+  State final;  // at Summary::t_end, consistent: a run can start from it
 
   /// Column of the samples: result["crank.angle_rad"].
   Eigen::VectorXd operator[](std::string_view column) const { return samples[column]; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Where a mechanism is. A value: copying it is a snapshot.
+// The state of a mechanism at one time. A value: copying it makes a snapshot.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,8 @@ struct State {
   Eigen::VectorXd energy;  // [nquad] dissipated energy and work of each element that has them [J]
   std::vector<double> parameters;       // changeable parameters of all elements
   std::vector<ContactMemory> contacts;  // memory of all contacts
-  /// Slots of users' events that were handled at time handled_at: at a start from that very time
-  /// they are not met again, on whichever side of zero rounding has left them.
+  /// Slots of users' events handled at time handled_at. A run that starts at exactly that time does
+  /// not handle them again, whatever sign rounding gives their functions.
   std::vector<int> handled;
   double handled_at = 0.0;  // [s]
 };

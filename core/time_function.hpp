@@ -23,12 +23,12 @@ struct TimeValue {
 
 class TimeFunction {
  public:
-  TimeFunction() = default;  // none yet: drivers refuse it
+  TimeFunction() = default;  // empty: drivers reject it
   /// From anything that returns all three: [](double t) { return TimeValue{...}; }.
   template <class F>
   requires(!std::same_as<std::decay_t<F>, TimeFunction>) &&
       std::is_invocable_r_v<TimeValue, const F&, double> TimeFunction(F f)
-      : f_(std::move(f)) {}  // implicit: a lambda may be given to a driver as it is
+      : f_(std::move(f)) {}  // implicit: a lambda can be passed to a driver directly
 
   TimeValue operator()(double t) const { return f_(t); }
   explicit operator bool() const { return static_cast<bool>(f_); }
@@ -37,7 +37,7 @@ class TimeFunction {
   std::function<TimeValue(double)> f_;
 };
 
-/// f = value, for ever.
+/// f = value at all times.
 TimeFunction constant(double value);
 
 /// f = start + speed t.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The small values everything is made of: points, bodies, identifiers. SI units throughout; axes x
+// Basic values: points, bodies, identifiers. SI units throughout; axes x
 // to the right, y up, angles positive counter-clockwise.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace yoke {
 
-using Vec2 = Eigen::Vector2d;  ///< point [m] or direction, global frame unless said otherwise
+using Vec2 = Eigen::Vector2d;  ///< point [m] or direction, global frame unless stated otherwise
 
 inline constexpr double pi = 3.14159265358979323846;
 
@@ -25,7 +25,7 @@ inline Vec2 rotate(double angle, const Vec2& a) {
   return {c * a.x() - s * a.y(), s * a.x() + c * a.y()};
 }
 
-/// Names a body of one Model. Index 0 is the ground, which does not move.
+/// Identifies a body of one Model. Index 0 is the ground, which does not move.
 struct BodyId {
   int index = 0;
   friend bool operator==(BodyId, BodyId) = default;
@@ -44,13 +44,13 @@ struct Twist {
   double omega = 0.0;       // [rad/s]
 };
 
-/// A rigid body. Its frame sits at the centre of mass.
+/// A rigid body. Its frame is at the centre of mass.
 struct Body {
   std::string name;
   double mass = 0.0;     // [kg], > 0
   double inertia = 0.0;  // [kg m^2] about the centre of mass, > 0
-  Pose pose{};           // at the start; corrected by the assembly if the joints ask for it
-  Twist twist{};         // velocity at the start; corrected likewise
+  Pose pose{};           // at the start; assembly corrects it if the joints require it
+  Twist twist{};         // velocity at the start; corrected in the same way
 };
 
 /// `body` with a point mass fixed to it at the global point `at` of its start pose: mass, centre of

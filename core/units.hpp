@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Literals for the units people draw in; the value is always SI. using namespace yoke::literals;
+// Literals for the units of drawings; the value is always SI. using namespace yoke::literals;
 //   60.0_mm == 0.060, 31_deg == 0.541..., 207_GPa == 2.07e11, 30.40_kg_mm2 == 3.040e-5
 #pragma once
 

@@ -15,25 +15,25 @@
 
 namespace yoke {
 
-/// How far a run has come; what an observer gets to see, at every accepted step.
+/// Progress of a run, passed to the observer after every accepted step.
 struct Progress {
   double t = 0.0;         // [s]
-  double fraction = 0.0;  // of the time asked for, 0 to 1
+  double fraction = 0.0;  // of the requested time, 0 to 1
   long steps = 0;
   long events = 0;
 };
 
-/// Where and when a run writes checkpoints, at simulated times or events, never by the clock. At
-/// each one the run itself starts its integrator afresh, so a run that is taken up there gives the
-/// same bits as the one that was not interrupted. The schedule is therefore part of the result.
+/// Where and when a run writes checkpoints: at simulated times or events, never by wall-clock time.
+/// At each checkpoint the run restarts its integrator, so a resumed run gives the same bits as an
+/// uninterrupted one. The schedule is therefore part of the result.
 struct Checkpoints {
   std::filesystem::path folder{};  // needs a schedule, and a schedule needs it; empty: none
   double every = 0.0;              // [s] simulated time from one to the next; 0: not by time
   long every_events = 0;           // restarts at events from one to the next; 0: not by events
-  bool resume = false;             // go on from the last one in the folder, if there is one
+  bool resume = false;             // continue from the last one in the folder, if there is one
 };
 
-/// Scales and rates that are 0 are chosen from the model; negative ones are refused.
+/// Scales and rates of 0 are chosen from the model; negative ones are rejected.
 struct SimulationOptions {
   double until = 0.0;                     // [s] end time, > start time
   double relative_tolerance = 1e-8;       // 1e-13 to 1e-2
@@ -51,11 +51,11 @@ struct SimulationOptions {
 
 /// Integrates `model` from its start pose (assembled first) or from `start`.
 /// Throws ModelError for options out of range, an unknown formulation, a start that cannot be
-/// assembled. Whatever happens later is told by Result::summary, with the results up to there.
+/// assembled. Result::summary reports whatever happens later, with the results up to then.
 Result simulate(const Model& model, const SimulationOptions& options);
 Result simulate(const Model& model, const State& start, const SimulationOptions& options);
 
-/// Goes on with a run from the last checkpoint in `folder`, to the end it was given. Throws
+/// Continues a run from the last checkpoint in `folder` to its original end. Throws
 /// ModelError if there is none, if it is damaged, or of another model.
 Result resume(const Model& model, const std::filesystem::path& folder,
               std::function<bool(const Progress&)> observer = {});
@@ -65,8 +65,8 @@ Result resume(const Model& model, const std::filesystem::path& folder,
 /// equation.
 State assembled_state(const Model& model);
 
-/// Name and one line about each formulation; the index of the equations it integrates and the
-/// family of its method, so that two can be chosen that have nothing in common.
+/// Name and description of a formulation, the index of its equations and the family of its method;
+/// verify() uses the latter two to choose an independent formulation.
 struct FormulationNote {
   std::string_view name;
   std::string_view description;

@@ -25,7 +25,7 @@ struct Distance {
   BodyId a;  // either may be the ground
   BodyId b;
   Vec2 at_a{0.0, 0.0};             // [m] the end on a, global, in the start pose
-  Vec2 at_b{0.0, 0.0};             // [m] the end on b, likewise
+  Vec2 at_b{0.0, 0.0};             // [m] the end on b, global, in the start pose
   std::optional<double> length{};  // [m] > 0; default: from at_a to at_b in the start pose
 
   std::unique_ptr<Constraint> build(const Model& model) const;

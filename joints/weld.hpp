@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Two bodies fixed to each other as they stand in the start pose.
+// Two bodies fixed to each other in the relative pose of the start.
 //
 //   Phi = ( p_b - p_a [m], theta_b - theta_a - start difference [rad] ) = 0, rows x, y, rotation
 //   G   = rows x and y: see point_pair.hpp;  rotation: [ 0 0 -1  0 0 1 ]

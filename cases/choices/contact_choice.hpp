@@ -14,8 +14,9 @@
 //
 // The part before the "+" may also be a law of the case, whose elastic part is then taken.
 // Arguments of an elastic law: reading, length, material, pin_material, wall_material
-// (material=steel, material=E=207GPa/nu=0.3); of power: K, n, unit. Of a dissipative law: those `yoke law show NAME` lists, `e` for restitution, and
-// `delivers`, the restitution a free impact is to return (contact/laws/catalog/calibrated.hpp).
+// (material=steel, material=E=207GPa/nu=0.3); of power: K, n, unit. Arguments of a dissipative law:
+// those that `yoke law show NAME` lists, `e` for restitution, and `delivers`, the restitution that
+// a free impact is to deliver (contact/laws/catalog/calibrated.hpp).
 #pragma once
 
 #include <functional>

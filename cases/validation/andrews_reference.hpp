@@ -11,7 +11,8 @@
 
 namespace yoke::cases {
 
-/// The coordinates of the problem, their rates, their second derivatives and the multipliers, at one time.
+/// The coordinates of the problem, their rates, their second derivatives and the multipliers, at
+/// one time.
 struct AndrewsState {
   std::array<double, 7> p{}, v{}, a{};
   std::array<double, 6> lambda{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The seam for the shape of a contact: penetration d, its gradient g = dd/dq and Hessian H = dg/dq
+// Interface of the shape of a contact: penetration d, its gradient g = dd/dq and Hessian H = dg/dq
 // over q = (x, y, angle) of body a and of body b, for each region of the surface.
 #pragma once
 
@@ -28,7 +28,7 @@ struct ContactPlace {
   double wall_curvature = 0.0;       // [1/m] > 0 convex wall, < 0 concave
 };
 
-/// The shape of a contact, all a contact element asks of it. Regions are numbered from 0.
+/// The shape of a contact as the contact element needs it. Regions are numbered from 0.
 class ContactGeometry {
  public:
   virtual ~ContactGeometry() = default;
@@ -39,7 +39,7 @@ class ContactGeometry {
   virtual int nearest(const Motion& motion) const = 0;
   /// [m] d by the formula of the region, also beyond its range.
   virtual double penetration(const Motion& motion, int region) const = 0;
-  /// Penetration and gradient, and the Hessian if wanted.
+  /// Penetration and gradient, and the Hessian if requested.
   virtual void calc_kinematics(const Motion& motion, int region, bool want_hessian,
                                ContactKinematics& out) const = 0;
   virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;

@@ -27,13 +27,13 @@ std::string_view region_name(SlotRegion region);
 struct Touch {
   int region = 0;
   double distance = 0.0;  // [m] D, from the centreline (a cap: from its centre) towards the wall
-  Vec2 normal{1.0, 0.0};  // unit gradient of D: towards the wall, the way the pin penetrates
+  Vec2 normal{1.0, 0.0};  // unit gradient of D: towards the wall, the direction of penetration
   double bend = 0.0;      // [1/m] Hessian of D = bend * t t^T, t = perp(normal)
   /// [1/m] of the wall, > 0 convex as the pin sees it (contact from outside), < 0 concave (a bore).
   double wall_curvature = 0.0;
 };
 
-/// A shape in a frame of its own. It has numbered regions, each with a formula that is smooth and
+/// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
 /// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
 /// its gradient agree.
 template <class P>

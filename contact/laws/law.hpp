@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Contact laws as values: how hard two surfaces press, never what their shape was.
+// Contact laws as values: the force between two surfaces for given penetration and rate. A law does
+// not know the shape of the surfaces.
 //
 //   elastic part      F_e(d), dF_e/dd, U(d) = int F_e dd          d penetration [m], > 0 in contact
 //   dissipative part  F(d, d', memory; F_e), d' rate [m/s], > 0 while approaching
 //   ledger            F d' = dS/dt + D    at every instant, S [J] stored energy, D [W] dissipated
 //
-// Whoever writes a law inherits from nothing: an elastic law is anything callable with a
-// penetration, a dissipative law anything callable with (ContactInput, ElasticLaw). What a law
-// needs from the contact element it says by optional members, listed at ElasticLaw and
-// DissipativeLaw.
+// Laws need no base class: an elastic law is anything callable with a penetration, a dissipative
+// law anything callable with (ContactInput, ElasticLaw). A law declares what it needs from the
+// contact element by optional members, listed at ElasticLaw and DissipativeLaw.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,7 @@
 
 namespace yoke {
 
-/// What an elastic law answers for one penetration.
+/// The response of an elastic law to a penetration.
 struct ElasticResponse {
   double force = 0.0;      // [N], > 0 pushes apart
   double stiffness = 0.0;  // [N/m] dforce/dpenetration
@@ -48,8 +48,8 @@ class ElasticLaw {
   }
 
   /// Force, stiffness and energy at a penetration of either sign. Below zero it is the odd
-  /// extension -F_e(-d), which the integrators see only inside a step that ends at a located event;
-  /// so a law is never asked for a root of a negative number. Beyond the limit everything is NaN.
+  /// extension -F_e(-d), which integrators see only inside a step that ends at a located event; the
+  /// law itself is never evaluated there. Beyond the limit everything is NaN.
   ElasticResponse response(double penetration) const {
     const double size = std::abs(penetration);
     if (size > limit_) return {not_a_number, not_a_number, not_a_number};
@@ -100,26 +100,26 @@ class ElasticLaw {
   double limit_ = 0.0;
 };
 
-/// What a contact law is asked.
+/// The input of a dissipative law.
 struct ContactInput {
   double penetration;           // [m]
   double rate;                  // [m/s]
   const ContactMemory& memory;  // phase, approach velocity, effective mass, largest penetration ...
 };
 
-/// What it answers.
+/// Its output.
 struct ContactOutput {
   double force = 0.0;                // [N], > 0 pushes apart
   double dforce_dpenetration = 0.0;  // [N/m]
   double dforce_drate = 0.0;         // [N s/m]
-  double stored_energy = 0.0;        // [J] what the contact would give back if it unloaded now
+  double stored_energy = 0.0;        // [J] what the contact would return if it unloaded now
   double dissipated_power = 0.0;  // [W] force * rate - d(stored energy)/dt, from the law's formula
 };
 
-/// When a contact lets go, beside reaching its permanent set (zero for most laws).
+/// When a contact ends before it reaches its permanent set (zero for most laws).
 enum class Release {
-  at_zero_force,        ///< as soon as the force would pull: contacts do not stick (default)
-  at_zero_penetration,  ///< a tensile phase is part of the law and kept
+  at_zero_force,        ///< as soon as the force would become tensile (default)
+  at_zero_penetration,  ///< the tensile phase is part of the law
 };
 
 template <class F>
@@ -135,8 +135,8 @@ concept DissipativeFunction = requires(const F& law, const ContactInput& input,
 ///       `compressing` until then, `restituting` after it, and `compressing` again when a reload
 ///       passes the largest penetration. Without it the phase is `compressing` until release.
 ///   double permanent_set(const ContactMemory&, const ElasticLaw&) const
-///       [m], computed at the end of compression (implies the former); the contact lets go there,
-///       and is met there again by a reload until the surfaces have been apart.
+///       [m], computed at the end of compression (implies the former); the contact ends there,
+///       and a reload begins there until the surfaces have been apart.
 ///   Release release() const
 ///   double kink(const ContactInput&, const ElasticLaw&) const
 ///       [m] changes sign where the formula has a corner (of the force or its derivatives), about
@@ -242,7 +242,7 @@ class DissipativeLaw {
   Release release_ = Release::at_zero_force;
 };
 
-/// How two surfaces push each other: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}.
+/// The law of one contact: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}.
 struct ContactLaw {
   ElasticLaw elastic;
   DissipativeLaw dissipation{};
@@ -254,8 +254,8 @@ struct ContactLaw {
 
 /// F = F_e (1 + chi d'), chi [s/m] constant during a contact: the form of most published laws,
 /// which differ in chi only. S = U and D = chi F_e d'^2. The factor is not clamped; in a free
-/// impact it stays positive, and if a third body pulls the surfaces apart faster than 1/chi the
-/// contact element lets go where the force reaches zero.
+/// impact it stays positive, and if a third body separates the surfaces faster than 1/chi, the
+/// contact element ends the contact where the force reaches zero.
 inline ContactOutput damped_in_proportion(const ElasticResponse& e, double chi, double rate) {
   const double factor = 1.0 + chi * rate;
   return {.force = e.force * factor,

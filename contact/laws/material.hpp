@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What two cylinders in contact are made of and how they lie: the inputs of the laws that are
-// derived from elasticity.
+// Materials and geometry of two cylinders in contact: the inputs of laws derived from elasticity.
 #pragma once
 
 #include <string>

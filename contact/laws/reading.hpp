@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The readings of a published law; what each means stands in elastic_catalog.hpp.
+// The readings of a published law; elastic_catalog.hpp explains each.
 #pragma once
 
 #include <string_view>

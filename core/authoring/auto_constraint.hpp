@@ -21,7 +21,7 @@
 //
 // phi takes one pose per body, in the order given, and the time; it returns Eigen::Vector<T, Rows>,
 // or a T when Rows is 1. Its derivatives must exist where the mechanism goes. A driver also
-// overrides rheonomic(). auto_scalar.hpp says how to write the arithmetic.
+// overrides rheonomic(). auto_scalar.hpp explains how to write the arithmetic.
 //
 // How: with q the 3k coordinates, the inner scalar carries the derivatives by (q, t), the outer one
 // the derivative along a direction d.

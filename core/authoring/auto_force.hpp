@@ -92,7 +92,7 @@ class AutoForce : public ForceElement {
   }
 
  protected:
-  /// `dependence`: what the force changes with; the default is always right, less is faster.
+  /// `dependence`: what the force depends on; the default is always correct, less is faster.
   AutoForce(std::string name, std::array<BodyId, Bodies> bodies, Dependence dependence = {})
       : ForceElement(std::move(name), {bodies.begin(), bodies.end()}, dependence) {}
 

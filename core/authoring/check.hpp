@@ -12,7 +12,8 @@
 //         zero outside the declared pattern; Phi_t is zero unless rheonomic().
 // Force:  dQ_*, dz_* against Q and z_dot; zero where dependence() says so; along the motion
 //         Q . v = -d(potential + stored)/dt - dissipated_power + supplied_power.
-// Both:   a block asked for alone is the same as asked for with all others; every number is finite;
+// Both:   a block requested alone equals the block requested with all others; every number is
+//         finite;
 //         an element of which only zeros are seen has not been checked and fails.
 #pragma once
 

@@ -63,7 +63,7 @@ class Comparison {
   ElementCheck& check_;
 };
 
-/// Columns of the ground: it does not move, so what an element writes there is nobody's business.
+/// Columns of the ground: it does not move, so what an element writes there is ignored.
 std::vector<bool> ground_columns(const std::vector<BodyId>& bodies);
 
 /// The size of steps for a coordinate: length or angle.

@@ -2,10 +2,9 @@
 // Copyright 2026 the Yoke authors
 //
 // Static equilibrium: Q(q, 0, z, t) - G^T lambda = 0, z' = 0, Phi(q, t) = 0. Newton's iteration
-// with line search (KINSOL) with exact derivatives; contacts press where they penetrate. Where that
-// fails the loads are brought on little by little, and where the mechanism has to leave its branch
-// (it falls on a floor, it snaps through) it follows its forces without inertia until it comes to
-// rest.
+// with line search (KINSOL) with exact derivatives; contacts act where they penetrate. If that
+// fails, the loads are applied gradually. If the mechanism has to leave its branch (it falls on a
+// floor, it snaps through), it follows its forces without inertia until it comes to rest.
 #pragma once
 
 #include <optional>
@@ -18,15 +17,15 @@
 namespace yoke {
 
 struct EquilibriumOptions {
-  double t = 0.0;  // [s] drivers and loads stand still as they are at this time
-  /// The forces that are brought on little by little; empty: gravity and applied loads, that is all
-  /// that supply work or do not depend on the motion.
+  double t = 0.0;  // [s] drivers and loads are frozen at this time
+  /// The forces that are applied gradually; empty: gravity and applied loads, that is, all that
+  /// supply work or do not depend on the motion.
   std::vector<std::string> loads{};
   int load_steps = 200;        // at most
   bool allow_neutral = false;  // accept an equilibrium that leaves a motion free
 };
 
-/// What had to be done.
+/// How the equilibrium was found.
 enum class EquilibriumRoute { direct, load_steps, relaxation };
 
 struct Equilibrium {
@@ -41,7 +40,7 @@ struct Equilibrium {
   std::string worst;                  // the body or equation with the largest residual
   double residual = 0.0;              // its residual in `unit`
   std::string unit;                   // N, N m, m, rad, or 1/s of a state z
-  std::vector<std::string> touching;  // contacts that press
+  std::vector<std::string> touching;  // contacts with a force
   /// Smallest eigenvalue of the constrained tangent stiffness in the metric of the masses [1/s^2]:
   /// > 0 stable, then the square of the lowest natural frequency if nothing else moves; none for a
   /// model that cannot move or one larger than largest_linearisation.
@@ -52,7 +51,7 @@ struct Equilibrium {
   double operator[](std::string_view column) const { return row.value(0, row.index(column)); }
 };
 
-/// From the start pose of the model, or from `start`. Difficulty is told by `found` and `reason`.
+/// From the start pose of the model, or from `start`. `found` and `reason` report a failure.
 /// Throws ModelError for options out of range, a start that cannot be assembled, and, unless
 /// allow_neutral, for a body that nothing holds, by its name.
 Equilibrium equilibrium(const Model& model, const EquilibriumOptions& options = {});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Inverse dynamics: the forces and torques of the drives, and all reactions, that a given motion
-// asks for.
+// Inverse dynamics: the forces and torques of the drives, and all reactions, for a given motion.
 #pragma once
 
 #include <functional>
@@ -25,9 +24,10 @@ struct InverseDynamicsOptions {
 /// rate, `motor.power_W`, `damper.dissipated_power_W`. Energies are integrated along the motion by
 /// Gauss' rule of order 6, so `balance_J` is a check. Nearly singular positions are listed in
 /// `summary.singular_positions` as by kinematics(): reactions next to them grow without bound or
-/// are lost to rounding; powers and energies are bridged from both sides, and right. A force with a
-/// memory (contacts, element states z) needs its history: such a model is handed to simulate() at a
-/// tolerance of 1e-10, with the same columns but for the powers. Errors as for kinematics().
+/// are lost to rounding; powers and energies are interpolated from both sides and remain accurate.
+/// A force with a memory (contacts, element states z) depends on its history: such a model is
+/// integrated by simulate() at a tolerance of 1e-10, with the same columns except the powers.
+/// Errors as for kinematics().
 Result inverse_dynamics(const Model& model, const InverseDynamicsOptions& options);
 
 /// A drive that may act on one coordinate of a body: a force [N] on the centre of mass along x or
@@ -39,12 +39,12 @@ struct Drive {
 };
 
 /// Of a motion given as rows (Result::samples of a run, or a table with the same first columns),
-/// for a model that need not be driven: what the drives must add to the forces of the model so that
-/// it moves like this. As many drives as degrees of freedom. Columns: those of simulate() up to the
-/// reactions and channels, kinetic, potential and stored energy, and for each drive
-/// `crank.angle.drive_N_m` and `crank.angle.drive_power_W`. Throws ModelError if the columns are
-/// not those of the model, if the motion violates a joint, if the drives are too few, too many or
-/// cannot act on the degrees of freedom, and for contacts, whose memory rows do not hold.
+/// for a model that need not be driven: what the drives must add to the forces of the model to
+/// produce this motion. There must be as many drives as degrees of freedom. Columns: those of
+/// simulate() up to the reactions and channels, kinetic, potential and stored energy, and for each
+/// drive `crank.angle.drive_N_m` and `crank.angle.drive_power_W`. Throws ModelError if the columns
+/// are not those of the model, if the motion violates a joint, if the drives are too few, too many
+/// or cannot act on the degrees of freedom, and for contacts, whose memory rows do not hold.
 Result inverse_dynamics(const Model& model, const Table& motion, const std::vector<Drive>& drives);
 
 /// The same for a motion given as a function of time: q [3 nb], v and a of the State at time t.

@@ -3,7 +3,7 @@
 //
 // Kinematic analysis: positions, velocities and accelerations of a mechanism whose drivers leave no
 // degree of freedom, from the equations of the joints alone. Nothing is integrated: every row is
-// exact to rounding, and forces have no say in it.
+// exact to rounding. Forces do not matter.
 #pragma once
 
 #include <yoke/core/model.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Accelerations, reactions and energies from where a mechanism is and how fast: at a stored State,
-// or at any time between the stored rows of a run.
+// Accelerations, reactions and energies from positions and velocities: at a stored State, or at any
+// time between the stored rows of a run.
 #pragma once
 
 #include <string_view>

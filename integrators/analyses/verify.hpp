@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// An error bar for a result: the same run by a second formulation that has as little as possible in
+// Error bars for a result: the run is repeated with a formulation that has as little as possible in
 // common with the first (another index of the equations, another family of methods), at a tighter
-// tolerance, and how many digits of each recorded quantity agree.
+// tolerance, and the number of digits that agree is determined for each recorded quantity.
 #pragma once
 
 #include <string>

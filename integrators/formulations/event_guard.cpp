@@ -75,7 +75,7 @@ void EventGuard::collect(double t, const double* q, const double* v, const doubl
       passed_.push_back(static_cast<int>(i));
     }
   }
-  // Who goes on without a restart shall not meet them again before they have been negative.
+  // Without a restart these stay disarmed until they have been negative.
   for (const int i : fired_) armed_[static_cast<std::size_t>(i)] = 0;
   for (const int i : passed_) armed_[static_cast<std::size_t>(i)] = 0;
 }

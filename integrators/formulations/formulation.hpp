@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The seam for formulations: advance a state in time by one internal step, with dense output and
+// Interface of formulations: advance a state in time by one internal step, with dense output and
 // located events. One file per formulation; registry.cpp lists them.
 #pragma once
 
@@ -56,10 +56,10 @@ struct StepCounters {
 class Formulation {
  public:
   virtual ~Formulation() = default;
-  /// Starts or restarts at a consistent state; after this nothing of the past is used.
+  /// Starts or restarts at a consistent state; the history is discarded.
   virtual void start(const State& state) = 0;
   /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired(); the
-  /// caller may restart there or go on as if nothing had been.
+  /// caller may restart there or simply continue.
   virtual Step step(double t_stop) = 0;
   virtual double time() const = 0;
   virtual double last_step() const = 0;

@@ -46,7 +46,7 @@ const FormulationEntry& find_formulation(std::string_view name) {
     if (entry.name == name) return entry;
     known += fmt::format(", '{}'", entry.name);
   }
-  throw ModelError(fmt::format("unknown formulation '{}': there are {}", name, known));
+  throw ModelError(fmt::format("unknown formulation '{}'; known formulations are {}", name, known));
 }
 
 std::vector<FormulationNote> formulations() {

@@ -4,8 +4,9 @@
 // What the formulations on top of SUNDIALS' integrators have in common: the vector of unknowns, its
 // error weights, events, counters and failures.
 //
-// y = (q - q_0, v, z, ..., energies). Positions are displacements from the last restart, so rounding
-// in the integrator's sums does not depend on where the origin is; elements get absolute positions.
+// y = (q - q_0, v, z, ..., energies). Positions are displacements from the last restart, so
+// rounding in the integrator's sums does not depend on where the origin is; elements get absolute
+// positions.
 #pragma once
 
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// A direct linear solver of our own behind SUNDIALS' interface. SUNDIALS would set a sparse matrix's
-// index arrays to zero before every Jacobian and could not scale it, so it sees a matrix without
-// data and a solver that works on ours.
+// A direct linear solver of our own behind SUNDIALS' interface. SUNDIALS would set a sparse
+// matrix's index arrays to zero before every Jacobian and could not scale it, so it sees a matrix
+// without data and a solver that works on ours.
 #pragma once
 
 #include <sundials/sundials_linearsolver.h>

@@ -25,7 +25,7 @@ struct DisplacementDriver {
   Vec2 along{1.0, 0.0};  // global, in the start pose; any length but 0
   BodyId relative_to = ground;
   /// [m] where f = 0 is, global, in the start pose; default: at. So f counts from the start pose
-  /// unless told otherwise; with from = {0, 0} on the ground it is the coordinate itself.
+  /// by default; with from = {0, 0} on the ground it is the coordinate itself.
   std::optional<Vec2> from{};
   TimeFunction displacement{};  // f [m]
 

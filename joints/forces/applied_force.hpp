@@ -8,7 +8,7 @@
 //   Q = (F, d x F);   supplied power = F . p' [W]
 //   global: dQ/dq has -d . F at (theta, theta);   body: perp(F) in the column of theta
 //
-// Time and motion, differentiated automatically (auto_scalar.hpp says how to write it):
+// Time and motion, differentiated automatically (auto_scalar.hpp explains how to write it):
 //   model.add(applied_force("drag", body, at, [](auto t, const auto& b) {
 //     return vec(-0.3 * b.vx, -0.3 * b.vy);
 //   }));

@@ -5,7 +5,7 @@
 //
 //   Q = (0, 0, T(t)) [N m], positive counter-clockwise;   supplied power = T omega [W]
 //
-// Time and motion, differentiated automatically (auto_scalar.hpp says how to write it):
+// Time and motion, differentiated automatically (auto_scalar.hpp explains how to write it):
 //   model.add(applied_torque("motor", crank, [](auto t, const auto& b) {
 //     return 2.0 * (1.0 - b.omega / 75.0);
 //   }));

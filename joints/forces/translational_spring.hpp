@@ -29,7 +29,7 @@ struct TranslationalSpring {
   BodyId a;  // either may be the ground
   BodyId b;
   Vec2 at_a{0.0, 0.0};  // [m] the end on a, global, in the start pose
-  Vec2 at_b{0.0, 0.0};  // [m] the end on b, likewise, not the same point
+  Vec2 at_b{0.0, 0.0};  // [m] the end on b, global, in the start pose; not the same point
   // Changeable parameters, "name.stiffness" and so on:
   double stiffness = 0.0;               // [N/m] k >= 0
   double damping = 0.0;                 // [N s/m] c >= 0

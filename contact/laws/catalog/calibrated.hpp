@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// A law made to deliver the restitution asked for. Most published laws return something else than
-// the e they are given; here the e they are given is solved for, with their own closed form, so
-// that a free central impact returns what was asked. The damping of all laws F = F_e (1 + X d'/v_i)
-// then is the same; laws with a clamped tensile phase get a larger damping ratio.
+// Laws calibrated to deliver a given restitution. Most published laws deliver another restitution
+// than their parameter e. Here e is solved for with the closed form of the law, so that a free
+// central impact delivers the requested value. All laws F = F_e (1 + X d'/v_i) then have the same
+// damping; laws with a clamped tensile phase get a larger damping ratio.
 #pragma once
 
 #include <string_view>
@@ -15,8 +15,8 @@
 namespace yoke {
 
 /// `arguments` with the restitution that makes the law deliver `e`. Holds for approach velocities
-/// not below slowest_approach. Throws ModelError, with what the law can deliver, if none does, and
-/// if the law has no closed form or no restitution to solve for.
+/// not below slowest_approach. Throws ModelError, with the range the law can deliver, if none does,
+/// and if the law has no closed form or no restitution to solve for.
 DissipativeArguments calibrated_arguments(std::string_view name, double e,
                                           DissipativeArguments arguments = {});
 

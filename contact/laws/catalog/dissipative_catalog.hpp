@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Every dissipative law by its name, with what is known about it: formula, source, the range of
-// restitution it is meant for, what it really delivers.
+// All dissipative laws by name, with formula, source, intended range of restitution and delivered
+// restitution.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@
 
 namespace yoke {
 
-/// What a dissipative law may be given; each takes what its note lists and ignores the rest.
+/// Arguments of dissipative laws; each law uses those its note lists and ignores the others.
 struct DissipativeArguments {
-  double restitution = 1.0;        // e asked for, where the law takes one
+  double restitution = 1.0;        // e, for laws that have it as a parameter
   std::optional<double> alpha{};   // [s/m] hunt-crossley with constant alpha, in place of e
   double slowest_approach = 1e-3;  // [m/s] floor on v_i, > 0
   double q = 3.0;                  // lee-wang-2: steepness of the transition, 2 to 4 as meant
@@ -27,7 +27,7 @@ struct DissipativeArguments {
   TensilePhase tensile = TensilePhase::keep;  // kelvin-voigt, lee-wang-2, tsuji, exact-restitution
 };
 
-/// What there is to know about a law.
+/// Description of a law.
 struct DissipativeNote {
   std::string name;     // kebab-case, as make_dissipative() takes it
   std::string title;    // authors and year
@@ -35,7 +35,7 @@ struct DissipativeNote {
   std::string source;
   std::string meant_for;   // range of e
   std::string delivers;    // restitution of a free central impact
-  std::string separation;  // where it lets go, with or without tension
+  std::string separation;  // where the contact ends, with or without tension
   std::string persistent;  // behaviour in a contact that lasts
   std::vector<std::string> caveats;
   std::vector<std::pair<std::string, std::string>> parameters;  // name; unit and range

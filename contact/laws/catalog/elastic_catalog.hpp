@@ -34,7 +34,7 @@ struct LawParameter {
   std::string name, unit, range;
 };
 
-/// What is to be known about a law.
+/// Description of a law.
 struct ElasticNote {
   std::string name, title, formula, source, validity;
   std::vector<std::string> caveats;
@@ -51,10 +51,10 @@ const ElasticNote& find_elastic(std::string_view name);
 
 /// `specification`: a name of the catalog, or a power law with its constants, "power:K=1e8,n=1.5"
 /// (K in N/m^n) or "power:K=4.907e4,n=1.10,unit=mm" (K in N/mm^n), which takes nothing from the
-/// arguments. Throws ModelError, also if the law does not exist in the reading asked for.
+/// arguments. Throws ModelError, also if the law does not exist in that reading.
 ElasticLaw make_elastic(std::string_view specification, const ElasticArguments& arguments);
 
-/// What is odd about a reading of a law; "" if nothing.
+/// Known problems of a reading of a law; "" if none.
 std::string elastic_warning(std::string_view name, Reading reading);
 
 }  // namespace yoke

@@ -5,8 +5,8 @@
 // Tables 2 to 9: unweighted least squares of the force,
 //   min over K, n of  sum_i (K d(F_i)^n - F_i)^2
 //   F_i = min_load + i (max_load - min_load)/(samples - 1),  i = 0, 1, ... samples - 1
-// Its relative error is what the least squares do not see: it grows without bound (to 100 %) as the
-// load goes to zero, because no power law has the logarithm in it.
+// Least squares of the force do not bound the relative error: it grows without bound (to 100 %) as
+// the load goes to zero, because no power law has the logarithm in it.
 #pragma once
 
 #include <yoke/contact/laws/elastic/power_law.hpp>

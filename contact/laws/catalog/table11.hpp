@@ -3,7 +3,7 @@
 //
 // Table 11 of Autiero et al., Machines 2022, 10, 966, as printed: F = K d^n, K in N/mm^n, for the
 // steel pin (radius 7.9 mm) on the inner wall (52 mm), the outer wall (68 mm) and the end caps (8
-// mm) of the scotch-yoke's slot. What it is worth:
+// mm) of the scotch-yoke's slot. Caveats:
 //   - The two labels of Delta R are swapped: inner wall 59.9 mm (external contact), outer wall
 //     60.1 mm (internal contact).
 //   - The K are fits of the force per millimetre of pin, though printed as N/mm^n. Here they are
@@ -14,9 +14,8 @@
 //     R_i - R_p (44.5 mm) although the contact is external.
 //   - Lankarani and Nikravesh: K = pi/10 of 4/3 E* sqrt(R).
 //   - Radzimovsky: the width of contact is a factor sqrt(2) too small.
-//   - Goldsmith: a factor 1e8 in the logarithm that no consistent set of units gives. ESDU: about
-//   pi
-//     times too soft. So "Goldsmith is the softest" is not a property of the laws.
+//   - Goldsmith: a factor 1e8 in the logarithm that no consistent set of units gives.
+//   - ESDU: about pi times too soft. So "Goldsmith is the softest" is not a property of the laws.
 #pragma once
 
 #include <string>

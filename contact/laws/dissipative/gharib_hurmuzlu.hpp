@@ -4,9 +4,9 @@
 // Gharib and Hurmuzlu 2012, first law: F = K d^n (1 + d'/(e v_i)) (J. Appl. Mech. 79), here with
 // any elastic law.
 //
-// For small e only: -e v_i is the speed the rebound tends to and never reaches, so what is
-// delivered is less than e, 0.09998 for e = 0.1, 0.282 for 0.3, 0.411 for 0.5, and at e = 1, where
-// nothing should be lost, 0.594. No tension in a free impact. Floor on v_i:
+// For small e only: the rebound approaches the speed -e v_i but does not reach it, so the delivered
+// restitution is less than e: 0.09998 for e = 0.1, 0.282 for 0.3, 0.411 for 0.5, and at e = 1,
+// where nothing should be lost, 0.594. No tension in a free impact. Floor on v_i:
 // proportional_damping.hpp.
 #pragma once
 

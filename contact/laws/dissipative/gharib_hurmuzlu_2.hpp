@@ -7,7 +7,7 @@
 // d_m^n.
 //
 // Meant for impacts with plastic indentation. Delivers e exactly and leaves the set d_p, where it
-// lets go without tension. e = 0 would have a vertical unloading line and is refused. Reloading,
+// ends without tension. e = 0 would have a vertical unloading line and is rejected. Reloading,
 // lasting contact: permanent_indentation.hpp.
 #pragma once
 

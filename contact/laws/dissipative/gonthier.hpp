@@ -5,8 +5,8 @@
 // 1, the root of (1 + d_G/e)/(1 - d_G) = exp(d_G (1 + 1/e)) (Multibody Syst. Dyn. 11, 209-233),
 // here with any elastic law.
 //
-// With X = d_G/e that is the exact balance of proportional_damping.hpp, so the law delivers the e
-// asked for, for every elastic law. Meant for all e > 0; towards e = 0 the damping grows as 1/e,
+// With X = d_G/e that is the exact balance of proportional_damping.hpp, so the law delivers the
+// requested e for every elastic law. Meant for all e > 0; towards e = 0 the damping grows as 1/e,
 // and e = 0 is refused. No tension in a free impact. Floor on v_i: proportional_damping.hpp.
 #pragma once
 

@@ -3,9 +3,8 @@
 //
 // Hunt and Crossley 1975: F = F_e (1 + 3/2 alpha d'), with any elastic law F_e.
 //
-// With alpha fixed, e = 1 - alpha v_i is what they mean the restitution to be; with alpha =
-// (1 - e)/v_i they mean it to be e. What a free impact really returns, whatever F_e and the mass,
-// is
+// They intend the restitution to be e = 1 - alpha v_i with constant alpha, and e with alpha =
+// (1 - e)/v_i. A free impact delivers, for any F_e and mass,
 //   X (1 + e') = ln((1 + X)/(1 - e' X)),   X = 3/2 alpha v_i,
 // for instance e' = 0.909 for e = 0.9, 0.663 for e = 0.5.
 #pragma once

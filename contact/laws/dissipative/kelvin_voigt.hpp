@@ -5,7 +5,7 @@
 // impacts by Dubowsky and Freudenstein 1971 (J. Eng. Ind. 93, 305-316) and many others.
 //
 // Needs a linear elastic law. With another, the secant F_e/d takes the place of K, which is
-// nobody's law. The force steps to c v_i at first touch and pulls at the end of the impact.
+// no published law. The force steps to c v_i at first touch and pulls at the end of the impact.
 // Delivered: exactly e if the tensile phase is kept; clamped, 0.902 for e = 0.9, 0.550 for 0.5,
 // 0.253 for 0.1. e = 0 would be critical damping and never separate, and is refused. No floor on
 // v_i is needed: c depends on the effective mass of the onset alone, and a lasting contact is

@@ -5,7 +5,7 @@
 // F = F_m ((d - d_p)/(d_m - d_p))^n with d_p = d_m (1 - e^2); here with any elastic law.
 //
 // Meant for impacts with plastic indentation, e well below 1. Delivers e exactly and leaves the set
-// d_p, where it lets go without tension. e = 0 would have a vertical unloading line and is refused.
+// d_p, where it ends without tension. e = 0 would have a vertical unloading line and is rejected.
 // Reloading, lasting contact: permanent_indentation.hpp.
 #pragma once
 

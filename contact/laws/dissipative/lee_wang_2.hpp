@@ -4,9 +4,9 @@
 // Lee and Wang 1983, second damping function (J. Mech. Transm. Autom. Des. 105, 534-540):
 //   F = K d + 2 m_r w xi T(d) d',   w = sqrt(K/m_r),   xi = -ln e/sqrt(ln^2 e + pi^2)
 //   T = exp(((d - eps) - |d - eps|) q/eps)
-// Kelvin and Voigt's damper, faded in between first touch and d = eps. They leave eps open between
-// 0 and the largest penetration; here it is a share of v_i/w, the largest penetration without
-// damping.
+// Kelvin and Voigt's damper, faded in between first touch and d = eps. They leave eps undetermined
+// between 0 and the largest penetration; here it is a share of v_i/w, the largest penetration
+// without damping.
 //
 // Needs a linear elastic law; with another, K is the local stiffness and the derivative of the
 // force by the penetration neglects its change. There is no closed form. Delivered is more than e,
@@ -14,9 +14,9 @@
 // with 0.5. The force steps at first touch by exp(-2 q) of c v_i and pulls at the end unless q and
 // eps are large. e = 0 is refused. v_i enters through eps and has the floor `slowest_approach`.
 //
-// Lee and Wang ask for q and eps with which the force never pulls. Where it does and is clamped,
-// the contact lets go, may press once more because T fades before the spring does, and lets go
-// again just before d = 0.
+// Lee and Wang require q and eps such that the force never becomes tensile. If it does and is
+// clamped, the contact ends, may begin once more because T fades before the spring force does, and
+// ends again just before d = 0.
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // elastic law. The same law as that of Gonthier and others 2004, found independently; the original
 // was not at hand, the balance is derived in proportional_damping.hpp.
 //
-// Delivers the e asked for, for every elastic law. Meant for all e > 0; towards e = 0 the damping
+// Delivers the requested e for every elastic law. Meant for all e > 0; towards e = 0 the damping
 // grows as 1/e, and e = 0 is refused. No tension in a free impact. Floor on v_i:
 // proportional_damping.hpp.
 #pragma once

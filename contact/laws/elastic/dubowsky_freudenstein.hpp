@@ -5,7 +5,7 @@
 // (logarithmic_law.hpp):
 //   d = pi H/L [ln(L^3/(pi H R F)) + 1] F,   R = R_i R_j/DR,   H = h_i + h_j;
 //   a = pi H/L,   B = e L^3/(pi H R),   limit a B/e = L^2/R.
-//   consistent   pi H = 1/(pi E*), the coefficient that two-dimensional elasticity asks for
+//   consistent   pi H = 1/(pi E*), the coefficient of two-dimensional elasticity
 //                (esdu_78035.hpp): then it is Goldsmith's law with m = 3
 //   printed      h = (1 - nu^2)/E of the Nomenclature, pi H = pi/E*, about pi^2 times too soft, and
 //                the difference of the radii even where they lie on opposite sides

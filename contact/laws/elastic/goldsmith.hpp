@@ -5,7 +5,7 @@
 //   d = W H [ln(L^m/(F R H)) + 1],   W = F/L,   R = R_i R_j/DR,   H = h_i + h_j;
 //   a = H/L,   B = e L^m/(R H),   limit a B/e = L^(m - 1)/R.
 //   consistent   m = 3, the only exponent that makes the logarithm a number, and h = (1 - nu^2)/
-//                (pi E), H = 1/(pi E*), which two-dimensional elasticity asks for (esdu_78035.hpp)
+//                (pi E), H = 1/(pi E*), as two-dimensional elasticity requires (esdu_78035.hpp)
 //   printed      m = 1 and h = (1 - nu^2)/E, in newton and millimetre: the logarithm depends on the
 //                units. Its limit, 1 mm^2/R, is met at a few newton
 //   tabulated    H = 1/(pi E*) outside; inside the logarithm 1e8 mm^2 pi E* L/(F R), as m = 3 with

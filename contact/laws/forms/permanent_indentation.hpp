@@ -2,9 +2,9 @@
 // Copyright 2026 the Yoke authors
 //
 // What laws that leave a dent share. Loading follows F_e(d); unloading from the largest penetration
-// d_m follows F_e stretched between d_p = d_m (1 - e^2), where the contact lets go, and d_m:
+// d_m follows F_e stretched between d_p = d_m (1 - e^2), where the contact ends, and d_m:
 //   F = F_e((d - d_p)/e^2),   for F_e = K d^n   F_m ((d - d_p)/(d_m - d_p))^n
-// The unloading line gives back e^2 of the work of loading, so e is delivered exactly for every
+// The unloading line returns e^2 of the work of loading, so e is delivered exactly for every
 // elastic law, mass and speed. Stored while loading is what unloading from there would give back,
 // e^2 U; the rest is dissipated as it is done. Nothing is dissipated on the unloading line.
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What laws with a damper beside the spring share: F = F_e + c(d) d', S = U, D = c d'^2.
+// Shared by laws with a damper parallel to the spring: F = F_e + c(d) d', S = U, D = c d'^2.
 //
 // The damper c = 2 xi sqrt(m_r) F_e/sqrt(2 U) makes every elastic law a linear oscillator: with
 // q = sqrt(2 U), dq = (F_e/q) dd, and a clock that runs with F_e/q,

@@ -22,7 +22,8 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   state_.t = options.t;
   state_.v.setZero();
   if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
-  // Multipliers of the pose let go: with none at all the derivative of a pendulum is singular.
+  // Multipliers of the pose released from rest: without any, the derivative of a pendulum is
+  // singular.
   state_.v.setZero();
   dynamics_.calc_accelerations(state_);
   state_.a.setZero();

@@ -38,8 +38,8 @@ class SingularCrossing final : public Formulation {
  private:
   static constexpr double near = 0.02;  // of the largest independence seen: leave the formulation
   static constexpr double far = 1e300;  // [s] no singular position in sight
-  // Of the time scale: steps are not cut below for accuracy; while a contact touches its impact must
-  // be followed.
+  // Of the time scale: steps are not cut below for accuracy; while a contact touches its impact
+  // must be followed.
   static constexpr double shortest_apart = 1e-3, shortest_touching = 1e-7;
 
   Step step_inside(double t_stop);

@@ -22,8 +22,8 @@
 // Contacts and events inside the crossing are located on the collocation polynomial as elsewhere.
 //
 // Where equations were left out as redundant, it also watches them (they may turn out to be in
-// conflict later: the run then ends with a ModelError that names the equation), and it chooses again
-// which to leave out when those kept become dependent but others are not.
+// conflict later: the run then ends with a ModelError that names the equation), and it chooses
+// again which to leave out when those kept become dependent but others are not.
 #pragma once
 
 #include <functional>

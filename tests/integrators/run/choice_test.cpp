@@ -71,10 +71,11 @@ TEST_CASE("BDF is chosen where stability would bound explicit steps, and is wort
 TEST_CASE("what is asked for runs; what does not exist is refused with the list") {
   CHECK(simulate(double_pendulum(), {.until = 0.1, .formulation = "ida-ggl"})
             .summary.formulation_reason == "asked for");
-  CHECK_THROWS_WITH_AS(simulate(double_pendulum(), {.until = 0.1, .formulation = "euler"}),
-                       doctest::Contains("unknown formulation 'euler': there are 'automatic', "
-                                         "'arkode-projection'"),
-                       ModelError);
+  CHECK_THROWS_WITH_AS(
+      simulate(double_pendulum(), {.until = 0.1, .formulation = "euler"}),
+      doctest::Contains("unknown formulation 'euler'; known formulations are 'automatic', "
+                        "'arkode-projection'"),
+      ModelError);
 }
 
 TEST_CASE("a second formulation tells how many digits of a result are right") {
