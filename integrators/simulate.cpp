@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/cost.hpp>
 #include <yoke/integrators/run/event_dispatch.hpp>
 #include <yoke/integrators/run/event_locator.hpp>
@@ -39,7 +40,6 @@ class Run {
  private:
   Run(const Model& model, const State& state, const SimulationOptions& options, double t_start);
   void choose_formulation();
-  void note_constraints();
   void make_formulation();
   bool initialise();
   void start_anew();
@@ -105,7 +105,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   dynamics_.system().set_scales(scales);
   summary.length_scale = scales.length;
   summary.time_scale = scales.time;
-  note_constraints();
+  note_constraints(dynamics_, result_.summary);
   choose_formulation();
   make_formulation();
   samples_ = std::make_unique<RunSamples>(dynamics_, result_, options_, t_start_);
@@ -127,18 +127,6 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
   standstill_.start(state_.t, {.start = c.window_start, .events = c.window_events});
   read_rows(options.checkpoints.folder, c, result_);
   checkpoints_.resume(c);
-}
-
-// What the assembly found out about the constraints.
-void Run::note_constraints() {
-  const System& system = dynamics_.system();
-  const Redundancy& redundancy = dynamics_.redundancy();
-  Summary& summary = result_.summary;
-  summary.degrees_of_freedom =
-      system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
-  for (const int row : redundancy.redundant)
-    summary.redundant_equations.push_back(system.equation_name(row));
-  summary.not_unique_reactions = column_names(system, redundancy.doubts);
 }
 
 void Run::choose_formulation() {

@@ -12,6 +12,7 @@
 #include <yoke/cases/program/request.hpp>
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/core/equations/dynamics.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 
 namespace yoke::cases {
 
@@ -66,8 +67,7 @@ Findings look_at(const Model& model) {
   f.before = residuals(dynamics, state);
   const Outcome outcome = dynamics.assemble(state);
   const Redundancy& redundancy = dynamics.redundancy();
-  f.degrees_of_freedom =
-      system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
+  f.degrees_of_freedom = degrees_of_freedom(dynamics);
   f.singular = redundancy.singular_here;
   for (const int row : redundancy.redundant) f.redundant.push_back(system.equation_name(row));
   f.not_unique = column_names(system, redundancy.doubts);

@@ -97,9 +97,10 @@ bool Dynamics::factorise_at(double t, const double* q) {
   return factorised_;
 }
 
-bool Dynamics::calc_accelerations(double t, const double* q, const double* v, const double* z,
-                                  double* a, double* lambda, double* z_dot,
-                                  double* quadrature_rates, const Baumgarte* stabilisation) {
+bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& out,
+                                  const Baumgarte* stabilisation) {
+  const auto [t, q, v, z] = instant;
+  const auto [a, lambda, z_dot, quadrature_rates] = out;
   ++evaluations_;
   const int n = system_.dofs();
   double* gamma = b_.data() + n;
@@ -150,8 +151,9 @@ bool Dynamics::calc_accelerations(double t, const double* q, const double* v, co
 
 bool Dynamics::calc_accelerations(State& state) {
   system_.bind(state);
-  return calc_accelerations(state.t, state.q.data(), state.v.data(), state.z.data(), state.a.data(),
-                            state.lambda.data(), nullptr, nullptr);
+  return calc_accelerations(
+      {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
+      {.a = state.a.data(), .lambda = state.lambda.data()});
 }
 
 double Dynamics::position_tolerance(const double* q) const {

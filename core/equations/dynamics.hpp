@@ -54,10 +54,21 @@ class Dynamics {
   /// Forgets the factorisation, so that a run starts from a fresh one.
   void reset();
 
-  /// a [dofs], lambda [rows], z_dot, quadrature rates at (t, q, v, z); pointers but a may be null.
+  /// Where accelerations are computed.
+  struct Instant {
+    double t;                   // [s]
+    const double *q, *v;        // [dofs]
+    const double* z = nullptr;  // [states]
+  };
+  /// What is written; null pointers but a are skipped.
+  struct Accelerations {
+    double* a;                           // [dofs]
+    double* lambda = nullptr;            // [rows]
+    double* z_dot = nullptr;             // [states]
+    double* quadrature_rates = nullptr;  // [quadratures]
+  };
   /// False if the matrix is singular or a result is not finite. Innermost loop; allocates nothing.
-  bool calc_accelerations(double t, const double* q, const double* v, const double* z, double* a,
-                          double* lambda, double* z_dot, double* quadrature_rates,
+  bool calc_accelerations(const Instant& at, const Accelerations& out,
                           const Baumgarte* stabilisation = nullptr);
   /// The same for a State: fills a and lambda.
   bool calc_accelerations(State& state);

@@ -119,6 +119,15 @@ std::vector<std::string> System::quadrature_names() const {
   return names;
 }
 
+std::vector<bool> System::quadratures_of_work() const {
+  std::vector<bool> work(at(quadratures_), false);
+  for (const ConstraintSlot& c : constraints_)
+    if (c.quadrature >= 0) work[at(c.quadrature)] = true;
+  for (const ForceSlot& f : forces_)
+    if (f.supplied >= 0) work[at(f.supplied)] = true;
+  return work;
+}
+
 void System::bind(const State& state) {
   z_ = state.z.data();
   parameters_ = state.parameters.data();

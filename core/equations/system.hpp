@@ -88,6 +88,8 @@ class System {
   const std::vector<int>& dropped_rows() const { return dropped_rows_; }
   /// Names of the quadratures, "motor.work" or "slot.dissipated".
   std::vector<std::string> quadrature_names() const;
+  /// For each quadrature: work of a load or driver (true) or dissipated energy.
+  std::vector<bool> quadratures_of_work() const;
 
   /// Binds what elements read besides the motion. The pointers must outlive the evaluations.
   void bind(const State& state);

@@ -10,7 +10,9 @@
 #include <yoke/integrators/analyses/details/energy_rows.hpp>
 #include <yoke/integrators/analyses/details/stored_rows.hpp>
 #include <yoke/integrators/analyses/kinematics.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/recorder.hpp>
+#include <yoke/integrators/run/sampling.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 #include <yoke/integrators/simulate.hpp>
 

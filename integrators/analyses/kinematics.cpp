@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include <yoke/integrators/analyses/details/driven_motion.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/recorder.hpp>
+#include <yoke/integrators/run/sampling.hpp>
 
 namespace yoke {
 

@@ -229,9 +229,10 @@ int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
 
 bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
   std::copy_n(y + n_, n_, y_dot);
-  return dynamics_.calc_accelerations(t, q_of(y), v_of(y), z_of(y), y_dot + n_, nullptr,
-                                      y_dot + 2 * n_, y_dot + 2 * n_ + nz_,
-                                      projects_ ? nullptr : &stabilisation_);
+  return dynamics_.calc_accelerations(
+      {.t = t, .q = q_of(y), .v = v_of(y), .z = z_of(y)},
+      {.a = y_dot + n_, .z_dot = y_dot + 2 * n_, .quadrature_rates = y_dot + 2 * n_ + nz_},
+      projects_ ? nullptr : &stabilisation_);
 }
 
 int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {

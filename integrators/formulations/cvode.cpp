@@ -206,9 +206,10 @@ int Cvode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
 
 bool Cvode::calc_rates(double t, const double* y, double* y_dot) {
   std::copy_n(y + n_, n_, y_dot);
-  return dynamics_.calc_accelerations(t, q_of(y), v_of(y), z_of(y), y_dot + n_, nullptr,
-                                      y_dot + 2 * n_, y_dot + 2 * n_ + nz_,
-                                      stabilisation_ ? &*stabilisation_ : nullptr);
+  return dynamics_.calc_accelerations(
+      {.t = t, .q = q_of(y), .v = v_of(y), .z = z_of(y)},
+      {.a = y_dot + n_, .z_dot = y_dot + 2 * n_, .quadrature_rates = y_dot + 2 * n_ + nz_},
+      stabilisation_ ? &*stabilisation_ : nullptr);
 }
 
 int Cvode::linear_system(sunrealtype t, N_Vector y, N_Vector, SUNMatrix, sunbooleantype,
@@ -222,8 +223,8 @@ int Cvode::linear_system(sunrealtype t, N_Vector y, N_Vector, SUNMatrix, sunbool
 bool Cvode::calc_linear_system(double t, const double* y, double gamma) {
   c_ = 1.0 / gamma;
   const double* q = q_of(y);
-  if (!dynamics_.calc_accelerations(t, q, v_of(y), z_of(y), a_.data(), lambda_.data(), nullptr,
-                                    nullptr))
+  if (!dynamics_.calc_accelerations({.t = t, .q = q, .v = v_of(y), .z = z_of(y)},
+                                    {.a = a_.data(), .lambda = lambda_.data()}))
     return false;
   equations_->evaluate(t, c_, q, v_of(y), z_of(y), lambda_.data(), a_.data());
   std::copy_n(dynamics_.system().G(), G_.size(), G_.begin());

@@ -125,8 +125,11 @@ double GeneralisedAlpha::rounding(int i) const {
 
 bool GeneralisedAlpha::calc_rates(Node& node) {
   return dynamics_.calc_accelerations(
-      node.t, absolute(node.u), node.v.data(), node.z.data(), node.a.data(), node.lambda.data(),
-      nz_ > 0 ? node.z_dot.data() : nullptr, quadratures_ > 0 ? node.power.data() : nullptr);
+      {.t = node.t, .q = absolute(node.u), .v = node.v.data(), .z = node.z.data()},
+      {.a = node.a.data(),
+       .lambda = node.lambda.data(),
+       .z_dot = nz_ > 0 ? node.z_dot.data() : nullptr,
+       .quadrature_rates = quadratures_ > 0 ? node.power.data() : nullptr});
 }
 
 void GeneralisedAlpha::start(const State& state) {

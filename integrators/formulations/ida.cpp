@@ -118,9 +118,12 @@ void Ida::pack(const State& state) {
   SundialsStepper::pack(state);
   std::copy_n(state.v.data(), n_, y_dot());
   // The accelerations of the state belong to the contacts before an event; ask again.
-  dynamics_.calc_accelerations(state.t, state.q.data(), y() + n_, y() + 2 * n_, a_.data(),
-                               lambda_.data(), nz_ > 0 ? y_dot() + 2 * n_ : nullptr,
-                               quadratures_ > 0 ? y_dot() + energies_ : nullptr);
+  dynamics_.calc_accelerations(
+      {.t = state.t, .q = state.q.data(), .v = y() + n_, .z = y() + 2 * n_},
+      {.a = a_.data(),
+       .lambda = lambda_.data(),
+       .z_dot = nz_ > 0 ? y_dot() + 2 * n_ : nullptr,
+       .quadrature_rates = quadratures_ > 0 ? y_dot() + energies_ : nullptr});
   std::copy(a_.begin(), a_.end(), y_dot() + equations_.v());
   std::copy(lambda_.begin(), lambda_.end(), y() + equations_.lambda());
 }
@@ -176,9 +179,12 @@ double Ida::first_step() {
   double* change = scratch_.data();
   const double* at = absolute_.data();
   const int found = failure_.guard([&] {
-    return dynamics_.calc_accelerations(t_ + d, at, at + n_, at + 2 * n_, change + n_,
-                                        lambda_.data(), nz_ > 0 ? change + 2 * n_ : nullptr,
-                                        quadratures_ > 0 ? change + energies_ : nullptr)
+    return dynamics_.calc_accelerations(
+               {.t = t_ + d, .q = at, .v = at + n_, .z = at + 2 * n_},
+               {.a = change + n_,
+                .lambda = lambda_.data(),
+                .z_dot = nz_ > 0 ? change + 2 * n_ : nullptr,
+                .quadrature_rates = quadratures_ > 0 ? change + energies_ : nullptr})
                ? 0
                : 1;
   });
@@ -265,8 +271,9 @@ bool Ida::calc_residual(double t, const double* y, const double* y_dot, double* 
   if (!equations_.calc_residual(t, at, y_dot, residual)) return false;
   if (quadratures_ == 0) return true;
   // Multipliers from the acceleration-level solve: IDA's own are a hundred times worse.
-  if (!dynamics_.calc_accelerations(t, at, y + n_, y + 2 * n_, a_.data(), lambda_.data(), nullptr,
-                                    power_.data()))
+  if (!dynamics_.calc_accelerations(
+          {.t = t, .q = at, .v = y + n_, .z = y + 2 * n_},
+          {.a = a_.data(), .lambda = lambda_.data(), .quadrature_rates = power_.data()}))
     return false;
   for (int i = 0; i < quadratures_; ++i)
     residual[energies_ + i] = y_dot[energies_ + i] - power_[static_cast<std::size_t>(i)];

@@ -45,10 +45,8 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
       table.add_column(f.element->name() + "." + c.name, c.unit, c.labels);
     channels_.push_back(channels.size());
   }
-  for (const std::string& name : system.quadrature_names()) {
-    table.add_column(name, "J");
-    is_work_.push_back(name.ends_with(".work"));
-  }
+  for (const std::string& name : system.quadrature_names()) table.add_column(name, "J");
+  is_work_ = system.quadratures_of_work();
   for (const char* name : {"kinetic", "potential", "stored", "dissipated", "work", "balance"})
     table.add_column(name, "J");
   table.reserve(rows);

@@ -9,6 +9,11 @@
 
 namespace yoke {
 
+double sample_time(long i, long samples, double start, double until) {
+  if (i == samples - 1) return until;
+  return start + (until - start) * (static_cast<double>(i) / static_cast<double>(samples - 1));
+}
+
 namespace {
 
 constexpr double largest_drift = 1e4;  // in units of the tolerance; a step errs by about one
@@ -32,10 +37,7 @@ void RunSamples::resume(const Recorder::Ledger& ledger, long next) {
 
 double RunSamples::next_time() const {
   if (next_ >= options_.samples) return std::numeric_limits<double>::infinity();
-  const long last = options_.samples - 1;
-  if (next_ == last) return options_.until;
-  return begin_ +
-         (options_.until - begin_) * (static_cast<double>(next_) / static_cast<double>(last));
+  return sample_time(next_, options_.samples, begin_, options_.until);
 }
 
 Outcome RunSamples::record_up_to(double t, Formulation& formulation, State& scratch) {

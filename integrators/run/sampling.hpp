@@ -11,6 +11,9 @@
 
 namespace yoke {
 
+/// Time [s] of sample i of `samples`, uniform from `start` to `until`, both ends included.
+double sample_time(long i, long samples, double start, double until);
+
 class RunSamples {
  public:
   /// Of a run from `begin` [s]; adds the columns of the model to `result` and reserves its rows.

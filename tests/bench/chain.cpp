@@ -37,8 +37,9 @@ void acceleration_of_chain(benchmark::State& bench) {
     const double a = seconds(repeats, [&] {
       nudge = -nudge;
       for (Eigen::Index i = 2; i < state.q.size(); i += 3) state.q[i] += nudge;
-      dynamics.calc_accelerations(state.t, state.q.data(), state.v.data(), state.z.data(),
-                                  state.a.data(), state.lambda.data(), nullptr, nullptr);
+      dynamics.calc_accelerations(
+          {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
+          {.a = state.a.data(), .lambda = state.lambda.data()});
     });
     const double b = seconds(repeats, [&] { bare.refactor_and_solve(); });
     bench.SetIterationTime(a);

@@ -7,6 +7,7 @@
 
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/integrators/analyses/inverse_dynamics.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 
 namespace yoke {
 
@@ -19,8 +20,7 @@ class DriveSolver {
   DriveSolver(Dynamics& dynamics, const std::vector<Drive>& drives)
       : dynamics_(dynamics), drives_(drives) {
     const System& system = dynamics.system();
-    const Redundancy& redundancy = dynamics.redundancy();
-    const int dofs = system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
+    const int dofs = degrees_of_freedom(dynamics);
     if (static_cast<int>(drives.size()) != dofs)
       throw ModelError(fmt::format("{}: {} drives are given for {} degrees of freedom",
                                    inverse_dynamics_name, drives.size(), dofs));

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 
 namespace yoke {
@@ -25,12 +26,6 @@ constexpr double singular = 1e-10;  // independence where nothing but the past t
 constexpr double coasting = 1e-12;  // violation of the constraints after a step by prediction alone
 constexpr double rounding = 1e-9;   // length scales or rad: a correction that needs no excuse
 constexpr double worth_a_look = 0.05;  // independence of a minimum that is located
-
-int degrees_of_freedom(const Dynamics& dynamics) {
-  const Redundancy& redundancy = dynamics.redundancy();
-  const System& system = dynamics.system();
-  return system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
-}
 
 /// Bodies that the constraints let move at this pose, at most five.
 std::vector<std::string> movable_bodies(Dynamics& dynamics, const State& state) {
@@ -56,19 +51,6 @@ std::vector<std::string> movable_bodies(Dynamics& dynamics, const State& state) 
 }
 
 }  // namespace
-
-void note_constraints(Dynamics& dynamics, Summary& summary) {
-  const Redundancy& redundancy = dynamics.redundancy();
-  summary.degrees_of_freedom = degrees_of_freedom(dynamics);
-  for (const int row : redundancy.redundant)
-    summary.redundant_equations.push_back(dynamics.system().equation_name(row));
-  summary.not_unique_reactions = column_names(dynamics.system(), redundancy.doubts);
-}
-
-double sample_time(long i, long samples, double start, double until) {
-  if (i == samples - 1) return until;
-  return start + (until - start) * (static_cast<double>(i) / static_cast<double>(samples - 1));
-}
 
 DrivenMotion::DrivenMotion(const Model& model, std::string_view analysis, double until)
     : dynamics_(model), state_(model.start_state()) {

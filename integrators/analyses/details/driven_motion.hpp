@@ -78,10 +78,4 @@ class SingularityWatch {
   std::vector<SingularPosition> found_;
 };
 
-/// What assembly found out about the constraints, into the summary.
-void note_constraints(Dynamics& dynamics, Summary& summary);
-
-/// Time [s] of sample i of `samples`, uniform from `start` to `until`, both ends included.
-double sample_time(long i, long samples, double start, double until);
-
 }  // namespace yoke

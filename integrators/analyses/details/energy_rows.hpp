@@ -46,9 +46,9 @@ class EnergyIntegral {
   }
   bool calc_rates(State& state) {
     motion_.dynamics().system().bind(state);
-    return motion_.dynamics().calc_accelerations(state.t, state.q.data(), state.v.data(),
-                                                 state.z.data(), state.a.data(),
-                                                 state.lambda.data(), nullptr, rates_.data());
+    return motion_.dynamics().calc_accelerations(
+        {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
+        {.a = state.a.data(), .lambda = state.lambda.data(), .quadrature_rates = rates_.data()});
   }
   const Eigen::VectorXd& rates() const { return rates_; }
   const Eigen::VectorXd& total() const { return total_; }

@@ -51,8 +51,8 @@ bool SingularCrossing::try_step(double t_stop) {
   if (segments_ > 0)
     std::copy_n(segment_.rates.back().begin() + n, n, a.begin());
   else if (m_ > too_close * largest_)
-    dynamics_.calc_accelerations(t_, y.data(), y.data() + n, y.data() + 2 * n, a.data(), nullptr,
-                                 nullptr, nullptr);
+    dynamics_.calc_accelerations({.t = t_, .q = y.data(), .v = y.data() + n, .z = y.data() + 2 * n},
+                                 {.a = a.data()});
   using Stages = GaussCollocation::Outcome;
   constexpr double shift[] = {1.0, 1.3, 0.77, 1.7, 0.6};  // to move stages off a singular position
   int closes = 0;

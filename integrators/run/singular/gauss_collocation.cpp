@@ -88,8 +88,9 @@ GaussCollocation::Outcome GaussCollocation::calc_rates(double t, double* y, doub
   const Outcome outcome = project(t, y, too_close, independence);
   if (outcome != Outcome::solved) return outcome;
   std::copy_n(y + n_, n_, rates);
-  return dynamics_.calc_accelerations(t, y, y + n_, y + 2 * n_, rates + n_, nullptr, rates + 2 * n_,
-                                      rates + 2 * n_ + nz_)
+  return dynamics_.calc_accelerations(
+             {.t = t, .q = y, .v = y + n_, .z = y + 2 * n_},
+             {.a = rates + n_, .z_dot = rates + 2 * n_, .quadrature_rates = rates + 2 * n_ + nz_})
              ? Outcome::solved
              : Outcome::diverged;
 }

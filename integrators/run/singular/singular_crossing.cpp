@@ -33,11 +33,10 @@ SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dyna
       check_(dynamics, tolerances, 4),
       guard_(dynamics),
       watches_(has_closed_loops(dynamics.system())),
+      is_work_(dynamics.system().quadratures_of_work()),
       segment_(gauss_.make_segment()),
       trial_(check_.make_segment()),
       y_(static_cast<std::size_t>(gauss_.size())) {
-  for (const std::string& name : dynamics.system().quadrature_names())
-    is_work_.push_back(name.ends_with(".work"));
   g_.assign(static_cast<std::size_t>(guard_.count()), 0.0);
   found_events_.assign(g_.size(), 0);
 }
