@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/core/result.hpp>
 
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
