@@ -167,9 +167,10 @@ ContactChoice contact_choice() {
             "Table 11's fit of Johnson's law, K times 10 whatever contact_length"},
            {"johnson-10mm", "Johnson's law itself, L = 10 mm, the pin's real length"},
        })
-    contact.laws.push_back({name, description, [name](const Parameters& p, const Wall& wall) {
-                              return named_law(ScotchYoke(p), wall, name);
-                            }});
+    contact.laws.push_back(
+        {name, description, [law = std::string(name)](const Parameters& p, const Wall& wall) {
+           return named_law(ScotchYoke(p), wall, law);
+         }});
   return contact;
 }
 
