@@ -27,12 +27,12 @@ class Assembly {
     check_options();
     const System& system = dynamics_.system();
     held_.assign(at(system.dofs()), 0);
-    weights_.assign(system.mass().begin(), system.mass().end());
+    weights_ = metric_of_masses(system);
     for (const auto& [name, weight] : options.weights) {
       require_positive(fmt::format("assembly, body '{}'", name), "weight", weight, "");
-      const Body& body = model.body(model.find_body(name));
       const auto first = at(3 * (model.find_body(name).index - 1));
-      for (std::size_t k = 0; k < 3; ++k) weights_[first + k] *= weight / body.mass;
+      const double mass = weights_[first];
+      for (std::size_t k = 0; k < 3; ++k) weights_[first + k] *= weight / mass;
     }
     for (const CoordinateValue& h : options.hold) {
       q0_[index(h.body, h.coordinate, h.value)] = h.value;

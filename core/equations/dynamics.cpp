@@ -13,7 +13,8 @@
 
 namespace yoke {
 
-Dynamics::Dynamics(const Model& model) : system_(model) {
+Dynamics::Dynamics(const Model& model)
+    : system_(model), length_metric_(metric_of_lengths(system_)) {
   build_matrix();
   lu_.emplace(matrix_);
   const std::size_t size = at(system_.dofs() + system_.rows());
@@ -61,6 +62,7 @@ void Dynamics::leave_out(const std::vector<int>& rows) {
   retired_ = counters();
   build_matrix();
   lu_.emplace(matrix_);
+  lengths_.reset();
   factorised_ = false;
   weakest_.clear();
 }
@@ -72,6 +74,7 @@ FactorCounters Dynamics::counters() const {
 
 void Dynamics::reset() {
   lu_->reset();
+  lengths_.reset();
   factorised_ = false;
   weakest_.clear();
 }
@@ -251,9 +254,7 @@ bool Dynamics::project(State& state) {
 bool Dynamics::project_singular(State& state) {
   if (!system_.not_finite().empty() || !state.q.allFinite() || !state.v.allFinite()) return false;
   const std::vector<int> left_out = system_.dropped_rows();
-  std::vector<char> ignored(at(system_.rows()), 0);
-  for (const int row : left_out) ignored[at(row)] = 1;
-  LeastChange nearest(system_, {system_.mass().begin(), system_.mass().end()}, {}, ignored);
+  LeastChange nearest(system_, metric_of_masses(system_), {}, dropped_marks());
   factorised_ = false;  // the blocks of G are no longer those of the factors
   if (!nearest.solve_positions(state.t, state.q.data())) return false;
   if (!nearest.solve_velocities(state.t, state.q.data(), state.v.data())) return false;

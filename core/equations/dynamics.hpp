@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <yoke/core/equations/redundancy.hpp>
+#include <yoke/core/equations/scaled_saddle.hpp>
 #include <yoke/core/equations/sparse.hpp>
 #include <yoke/core/equations/system.hpp>
 
@@ -95,9 +96,11 @@ class Dynamics {
   std::string contradiction(double t, const double* q, double bound);
 
   /// How far the constraints at (t, q) are from being dependent: an estimate, by one step of
-  /// inverse iteration from the last call, of the smallest eigenvalue of G M^-1 G^T scaled to a
-  /// diagonal of ones; falls like the square of the distance to a singular position. 0: singular.
+  /// inverse iteration from the last call, of the smallest eigenvalue of G W^-1 G^T scaled to a
+  /// diagonal of ones, W = metric_of_lengths(); falls like the square of the distance to a singular
+  /// position. A matter of geometry: masses, units and the frame change nothing. 0: singular.
   double independence(double t, const double* q, int iterations = 1);
+  const std::vector<double>& length_metric() const { return length_metric_; }  ///< [dofs]
   /// The row with the largest part in what is nearly dependent, after independence().
   int weakest_row() const { return weakest_row_; }
 
@@ -144,6 +147,7 @@ class Dynamics {
   bool project_singular(State& state);
   Outcome explain_positions(const class LeastChange& failed) const;
   double position_tolerance(const double* q) const;
+  std::vector<char> dropped_marks() const;  // [rows]
 
   System system_;
   SparseMatrix matrix_;
@@ -159,7 +163,9 @@ class Dynamics {
   double t_factorised_ = 0.0;
   bool factorised_ = false;
   Redundancy redundancy_;
-  std::vector<double> row_size_, weakest_;  // for independence()
+  std::vector<double> length_metric_;    // for independence()
+  std::optional<ScaledSaddle> lengths_;  // made when it is asked for
+  std::vector<double> weakest_;
   int weakest_row_ = 0;
   int worst_row_ = 0;
   double corrected_ = 0.0;  // violation that the last correction of a position was for, or infinity

@@ -110,7 +110,7 @@ Outcome Dynamics::explain_positions(const LeastChange& failed) const {
 
 Outcome Dynamics::assemble_from_afar(State& state) {
   factorised_ = false;
-  LeastChange nearest(system_, {system_.mass().begin(), system_.mass().end()});
+  LeastChange nearest(system_, metric_of_masses(system_));
   if (!nearest.solve_positions(state.t, state.q.data())) return explain_positions(nearest);
   redundancy_ = analyse_redundancy(system_, state);
   if (!redundancy_.conflict.empty()) return {false, redundancy_.conflict};

@@ -13,29 +13,18 @@ namespace yoke {
 
 double Dynamics::independence(double t, const double* q, int iterations) {
   const int n = system_.dofs(), rows = system_.rows();
-  if (weakest_.empty()) {  // no direction yet
-    weakest_.resize(at(rows));
-    for (int i = 0; i < rows; ++i) weakest_[at(i)] = std::cos(1.0 + 2.4 * i);
-    row_size_.assign(at(rows), 1.0);
-    iterations = std::max(iterations, 6);
-  }
   if (!same_as_factorised(t, q)) {
     system_.set_motion(t, q, zero_.data());
     system_.calc_position_level(phi_.data());
-    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
-    if (!factorise_at(t, q)) return 0.0;
+    factorised_ = false;  // G changed under the factors
   }
-  for (const ConstraintSlot& c : system_.constraints()) {
-    for (int i = 0; i < c.rows; ++i) {
-      double sum = 0.0;
-      for (int j = 0; j < c.columns; ++j) {
-        const int dof = system_.dof()[at(c.dofs + j)];
-        const double g = system_.G()[c.block + i * c.columns + j];
-        if (dof >= 0) sum += g * g / system_.mass()[at(dof)];
-      }
-      row_size_[at(c.row + i)] = sum > 0.0 && !system_.is_dropped(c.row + i) ? std::sqrt(sum) : 0.0;
-    }
+  if (!lengths_) lengths_.emplace(system_, length_metric_, std::vector<char>(), dropped_marks());
+  if (weakest_.empty()) {  // no direction yet
+    weakest_.resize(at(rows));
+    for (int i = 0; i < rows; ++i) weakest_[at(i)] = std::cos(1.0 + 2.4 * i);
+    iterations = std::max(iterations, 6);
   }
+  if (!lengths_->factorise(0.0)) return 0.0;
   double eigenvalue = 0.0;
   for (int round = 0; round < iterations; ++round) {
     double before = 0.0, after = 0.0;
@@ -43,13 +32,13 @@ double Dynamics::independence(double t, const double* q, int iterations) {
     for (int i = 0; i < rows; ++i) {
       // A little of everything, or a direction the last one has no part in would stay unseen.
       const double w =
-          row_size_[at(i)] > 0.0 ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
-      b_[at(n + i)] = w * row_size_[at(i)];
+          system_.is_dropped(i) ? 0.0 : weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i);
+      b_[at(n + i)] = w;
       before += w * w;
     }
-    lu_->solve(b_.data());
+    lengths_->solve(b_.data());
     for (int i = 0; i < rows; ++i) {
-      weakest_[at(i)] = row_size_[at(i)] * b_[at(n + i)];
+      weakest_[at(i)] = system_.is_dropped(i) ? 0.0 : b_[at(n + i)];
       after += weakest_[at(i)] * weakest_[at(i)];
     }
     if (!(after > 0.0) || !std::isfinite(after)) return after == 0.0 ? 1.0 : 0.0;
@@ -63,6 +52,12 @@ double Dynamics::independence(double t, const double* q, int iterations) {
     }
   }
   return eigenvalue;
+}
+
+std::vector<char> Dynamics::dropped_marks() const {
+  std::vector<char> marks(at(system_.rows()), 0);
+  for (const int row : system_.dropped_rows()) marks[at(row)] = 1;
+  return marks;
 }
 
 double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) {

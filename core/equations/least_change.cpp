@@ -22,39 +22,10 @@ constexpr double close_enough = 1e-12;
 LeastChange::LeastChange(System& system, std::vector<double> weights, std::vector<char> held,
                          std::vector<char> ignored)
     : system_(system),
-      weights_(std::move(weights)),
-      held_(std::move(held)),
-      ignored_(std::move(ignored)) {
-  const int n = system.dofs(), rows = system.rows();
-  held_.resize(at(n), 0);
-  ignored_.resize(at(rows), 0);
-  PatternBuilder pattern(n + rows);
-  for (int i = 0; i < n + rows; ++i) diagonal_.push_back(pattern.add(i, i));
-  for (const ConstraintSlot& c : system.constraints()) {
-    for (int i = 0; i < c.rows; ++i) {
-      const int row = c.row + i;
-      for (int j = 0; j < c.columns; ++j) {
-        const int dof = system.dof()[at(c.dofs + j)];
-        if (dof < 0 || held_[at(dof)] != 0 || ignored_[at(row)] != 0) continue;
-        const int lower = pattern.add(n + row, dof);
-        stamps_.push_back(
-            {c.block + i * c.columns + j, row, dof, lower, pattern.add(dof, n + row)});
-      }
-    }
-  }
-  std::vector<int> slot;
-  matrix_ = pattern.compile(slot);
-  for (int& d : diagonal_) d = slot[at(d)];
-  for (Stamp& s : stamps_) {
-    s.lower = slot[at(s.lower)];
-    s.upper = slot[at(s.upper)];
-  }
-  row_scale_.assign(at(rows), 1.0);
-  residual_.assign(at(rows), 0.0);
-  x_.assign(at(n + rows) + 1, 0.0);
-  zero_.assign(at(n), 0.0);
-  lu_ = std::make_unique<SparseLU>(matrix_);
-}
+      saddle_(system, std::move(weights), std::move(held), std::move(ignored)),
+      residual_(at(system.rows()), 0.0),
+      x_(at(system.dofs() + system.rows()) + 1, 0.0),
+      zero_(at(system.dofs()), 0.0) {}
 
 double LeastChange::size(int row) const {
   return system_.measure(row) == Measure::length ? system_.scales().length : 1.0;
@@ -65,7 +36,7 @@ void LeastChange::evaluate(double t, const double* q) {
   system_.calc_position_level(residual_.data());
   norm_ = 0.0;
   for (int i = 0; i < system_.rows(); ++i) {
-    if (ignored_[at(i)] != 0) residual_[at(i)] = 0.0;
+    if (saddle_.ignores(i)) residual_[at(i)] = 0.0;
     const double r = std::abs(residual_[at(i)]) / size(i);
     if (r <= norm_) continue;
     norm_ = r;  // NaN too
@@ -80,32 +51,13 @@ double LeastChange::merit() const {
   return sum;
 }
 
-bool LeastChange::factorise(double mu) {
-  const int n = system_.dofs();
-  const double* G = system_.G();
-  std::ranges::fill(row_scale_, 0.0);
-  for (const Stamp& s : stamps_)
-    row_scale_[at(s.row)] += G[s.entry] * G[s.entry] / weights_[at(s.dof)];
-  for (double& r : row_scale_) r = r > 0.0 && std::isfinite(r) ? 1.0 / std::sqrt(r) : 1.0;
-  std::ranges::fill(matrix_.value, 0.0);
-  for (int i = 0; i < n; ++i) matrix_.value[at(diagonal_[at(i)])] = 1.0;
-  for (int i = 0; i < system_.rows(); ++i)
-    matrix_.value[at(diagonal_[at(n + i)])] = ignored_[at(i)] != 0 ? 1.0 : -mu;
-  for (const Stamp& s : stamps_) {
-    const double value = G[s.entry] * row_scale_[at(s.row)] / std::sqrt(weights_[at(s.dof)]);
-    matrix_.value[at(s.lower)] += value;
-    matrix_.value[at(s.upper)] += value;
-  }
-  return lu_->factorise(matrix_);
-}
-
 void LeastChange::step(const double* residual) {
   const int n = system_.dofs();
   std::ranges::fill(x_, 0.0);
   for (int i = 0; i < system_.rows(); ++i)
-    if (ignored_[at(i)] == 0) x_[at(n + i)] = -residual[i] * row_scale_[at(i)];
-  lu_->solve(x_.data());
-  for (int i = 0; i < n; ++i) x_[at(i)] /= std::sqrt(weights_[at(i)]);
+    if (!saddle_.ignores(i)) x_[at(n + i)] = -residual[i] * saddle_.row_scale(i);
+  saddle_.solve(x_.data());
+  for (int i = 0; i < n; ++i) x_[at(i)] /= saddle_.root_weight(i);
 }
 
 bool LeastChange::solve_positions(double t, double* q) {
@@ -124,7 +76,7 @@ bool LeastChange::solve_positions(double t, double* q) {
     bool better = false;
     // The blocks of G are those of q here: a rejected trial is evaluated anew.
     while (!better && mu <= largest_damping) {
-      if (factorise(mu)) {
+      if (saddle_.factorise(mu)) {
         step(residual_.data());
         double turn = 0.0;
         for (std::size_t i = 2; i < n; i += 3) turn = std::max(turn, std::abs(x_[i]));
@@ -151,7 +103,7 @@ bool LeastChange::solve_positions(double t, double* q) {
 
 bool LeastChange::solve_velocities(double t, const double* q, double* v) {
   evaluate(t, q);
-  if (!factorise(smallest_damping * 10.0)) return false;
+  if (!saddle_.factorise(smallest_damping * 10.0)) return false;
   double worst = 0.0;
   for (int round = 0; round < 4; ++round) {
     system_.set_motion(t, q, v);
@@ -165,7 +117,7 @@ bool LeastChange::solve_velocities(double t, const double* q, double* v) {
   for (int i = 0; i < system_.dofs(); ++i)
     rate = std::max(rate, std::abs(v[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
   for (int i = 0; i < system_.rows(); ++i) {
-    if (ignored_[at(i)] != 0) residual_[at(i)] = 0.0;
+    if (saddle_.ignores(i)) residual_[at(i)] = 0.0;
     const double r = std::abs(residual_[at(i)]) / size(i);
     if (r <= worst) continue;
     worst = r;
@@ -175,17 +127,17 @@ bool LeastChange::solve_velocities(double t, const double* q, double* v) {
 }
 
 void LeastChange::make_admissible(double* d) {
-  const auto n = at(system_.dofs());
-  if (!factorise(smallest_damping * 10.0)) return;
+  if (!saddle_.factorise(smallest_damping * 10.0)) return;
+  for (int i = 0; i < system_.dofs(); ++i)
+    if (saddle_.holds(i)) d[i] = 0.0;
   std::vector<double> change(residual_.size());
   for (int round = 0; round < 3; ++round) {
     std::ranges::fill(change, 0.0);
-    for (const Stamp& s : stamps_) change[at(s.row)] += system_.G()[s.entry] * d[at(s.dof)];
+    system_.add_jacobian_times(d, change.data());
     step(change.data());
-    for (std::size_t i = 0; i < n; ++i) d[i] += x_[i];
+    for (int i = 0; i < system_.dofs(); ++i)
+      if (!saddle_.holds(i)) d[i] += x_[at(i)];
   }
-  for (std::size_t i = 0; i < n; ++i)
-    if (held_[i] != 0) d[i] = 0.0;
 }
 
 }  // namespace yoke

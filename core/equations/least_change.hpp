@@ -10,11 +10,9 @@
 // For set-up; not a hot path.
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include <yoke/core/equations/sparse.hpp>
-#include <yoke/core/equations/system.hpp>
+#include <yoke/core/equations/scaled_saddle.hpp>
 
 namespace yoke {
 
@@ -39,24 +37,14 @@ class LeastChange {
   double norm() const { return norm_; }  ///< of the positions, in length scales or rad
 
  private:
-  struct Stamp {
-    int entry, row, dof, lower, upper;
-  };
   void evaluate(double t, const double* q);
   double merit() const;
-  bool factorise(double mu);
   void step(const double* residual);  // into x_
   double size(int row) const;
 
   System& system_;
-  std::vector<double> weights_;
-  std::vector<char> held_, ignored_;
-  SparseMatrix matrix_;
-  std::vector<Stamp> stamps_;
-  std::vector<int> diagonal_;
-  std::vector<double> row_scale_;
+  ScaledSaddle saddle_;
   std::vector<double> residual_, x_, zero_;
-  std::unique_ptr<SparseLU> lu_;
   int worst_row_ = 0;
   double norm_ = 0.0;
 };

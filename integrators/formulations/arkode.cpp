@@ -51,6 +51,7 @@ class Arkode final : public SundialsStepper {
   void polish_root();
   void create(double t);
   void end_step();
+  void rebase();
 
   bool projects_;
   Baumgarte stabilisation_;
@@ -59,13 +60,15 @@ class Arkode final : public SundialsStepper {
   std::vector<double> begin_, end_, stage_;  // y where the last step began and ended
   std::vector<std::vector<double>> k_;       // rates of the stages of substep()
   std::vector<double> g_;
+  std::vector<double> before_projection_;
   double t_begin_ = 0.0, t_end_ = 0.0;
   bool first_rate_known_ = false;
+  bool base_is_far_ = false;
 };
 
 Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
     : SundialsStepper(dynamics, tolerances,
-                      2 * dynamics.system().dofs() + dynamics.system().states()),
+                      2 * dynamics.system().dofs() + dynamics.system().states(), one_step),
       projects_(projects),
       stabilisation_(critically_damped(tolerances)),
       table_(ARKodeButcherTable_LoadERK(tableau)) {
@@ -73,6 +76,7 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
   end_ = stage_ = begin_;
   k_.assign(static_cast<std::size_t>(table_->stages), begin_);
   g_.assign(found_.size(), 0.0);
+  before_projection_ = q_start_;
 }
 
 Arkode::~Arkode() {
@@ -85,7 +89,7 @@ void Arkode::create(double t) {
   context_.report_errors_of(SundialsPackage::arkode, memory_);
   ARKodeSetUserData(memory_, user_data());
   ERKStepSetTableNum(memory_, tableau);
-  ARKodeWFtolerances(memory_, &Arkode::copy_weights);
+  ARKodeWFtolerances(memory_, &Arkode::calc_weights);
   ARKodeSetMaxErrTestFails(memory_, max_error_test_failures);
   if (projects_) ARKodeSetPostprocessStepFn(memory_, &Arkode::project);
   if (guard_.count() > 0) {
@@ -100,6 +104,7 @@ void Arkode::start(const State& state) {
   t_ = state.t;
   t_stop_ = t_;  // not set yet
   end_step();
+  base_is_far_ = false;
   guard_.start(state);
   if (memory_ == nullptr) {
     create(state.t);
@@ -110,12 +115,23 @@ void Arkode::start(const State& state) {
   set_weights();
 }
 
+// Before a step, when nobody asks for the last one any more.
+void Arkode::rebase() {
+  base_is_far_ = false;
+  std::ranges::copy(end_, y());
+  move_base();
+  end_step();
+  ARKodeReset(memory_, t_end_, y_);
+  t_stop_ = t_end_;  // it has forgotten that too
+}
+
 void Arkode::end_step() {
   std::copy_n(y(), size_, end_.begin());
   t_end_ = t_;
 }
 
 Step Arkode::step(double t_stop) {
+  if (base_is_far_) rebase();
   if (t_stop != t_stop_) {
     ARKodeSetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
@@ -138,6 +154,7 @@ Step Arkode::step(double t_stop) {
     return Step::event;
   }
   accept_step();
+  base_is_far_ = is_far_from_base();
   return Step::advanced;
 }
 
@@ -242,15 +259,17 @@ int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
 
 bool Arkode::project(double t, double* y) {
   double* q = q_of(y);
+  std::copy_n(q, n_, before_projection_.begin());
   if (!dynamics_.project(t, q, y + n_)) {
     report_failed_projection();
     return false;
   }
   double moved = 0.0;  // in units of the error weights
   for (int i = 0; i < n_; ++i) {
-    const double projected = q[i] - q_start_[static_cast<std::size_t>(i)];
-    moved = std::max(moved, std::abs(projected - y[i]) * weights_.data()[i]);
-    y[i] = projected;
+    // Displacements know more digits than absolute positions: only the correction is taken over.
+    const double correction = q[i] - before_projection_[static_cast<std::size_t>(i)];
+    moved = std::max(moved, std::abs(correction) * weights_.data()[i]);
+    y[i] += correction;
   }
   if (moved < largest_projection) return true;
   failure_.text = fmt::format(

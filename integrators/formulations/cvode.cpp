@@ -74,15 +74,15 @@ class Cvode final : public SundialsStepper {
   std::optional<Baumgarte> stabilisation_;       // that of Adams
   SUNNonlinearSolver fixed_point_ = nullptr;     // that of Adams
   void* memory_ = nullptr;
-  std::vector<double> v_, a_, lambda_, x_;
+  std::vector<double> v_, a_, lambda_, x_, before_projection_;
   std::vector<double> G_;  // blocks at the point of the matrix
   double c_ = 1.0;
 };
 
 Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances, Method method)
     : SundialsStepper(dynamics, tolerances,
-                      2 * dynamics.system().dofs() + dynamics.system().states()) {
-  v_ = a_ = q_start_;
+                      2 * dynamics.system().dofs() + dynamics.system().states(), multistep) {
+  v_ = a_ = before_projection_ = q_start_;
   lambda_.assign(static_cast<std::size_t>(dynamics.system().rows()), 0.0);
   if (method == Method::adams_baumgarte) {
     stabilisation_ = critically_damped(tolerances);
@@ -113,7 +113,7 @@ void Cvode::create(double t) {
   CVodeInit(memory_, &Cvode::rates, t, y_);
   CVodeSetUserData(memory_, user_data());
   set_weights();
-  CVodeWFtolerances(memory_, &Cvode::copy_weights);
+  CVodeWFtolerances(memory_, &Cvode::calc_weights);
   equations_ ? attach_newton() : attach_fixed_point();
   CVodeSetMaxErrTestFails(memory_, 30);
   CVodeSetMaxConvFails(memory_, 30);
@@ -256,6 +256,7 @@ int Cvode::project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype, 
 
 bool Cvode::project(double t, const double* y, double* correction) {
   double* q = q_of(y);
+  std::copy_n(q, n_, before_projection_.begin());
   std::copy_n(y + n_, n_, v_.begin());
   if (!dynamics_.project(t, q, v_.data(), Correction::smooth)) {
     report_failed_projection();
@@ -264,7 +265,7 @@ bool Cvode::project(double t, const double* y, double* correction) {
   std::fill_n(correction, size_, 0.0);
   for (int i = 0; i < n_; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    correction[i] = q[i] - q_start_[k] - y[i];
+    correction[i] = q[i] - before_projection_[k];
     correction[n_ + i] = v_[k] - y[n_ + i];
   }
   return true;

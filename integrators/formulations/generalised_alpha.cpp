@@ -16,7 +16,7 @@ namespace {
 constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
 constexpr double first_over_delta = 100.0;
-constexpr double noise = 4.0;
+constexpr double noise = 32.0;
 constexpr double largest_turn = 0.25;  // [rad] of a body in a step, where there are events
 
 enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
@@ -68,10 +68,11 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
       quadratures_(system_.quadratures()),
       matrix_(system_, layout(system_)),
       mask_(system_),
-      guard_(dynamics) {
+      guard_(dynamics),
+      floor_(dynamics, tolerances, {.own = 8.0, .followed = 4.0 * noise}) {
   for (Node* node : {&begin_, &end_, &new_}) allocate(*node);
-  for (Vector* x : {&q_start_, &q_, &rounding_, &b_, &jerk_, &jerk_normal_, &v_old_, &a_old_, &v_,
-                    &a_, &rate_, &dense_u_, &dense_v_})
+  for (Vector* x : {&q_start_, &weight_q_, &weight_v_, &q_, &rounding_, &b_, &jerk_, &jerk_normal_,
+                    &v_old_, &a_old_, &v_, &a_, &rate_, &dense_u_, &dense_v_})
     x->assign(at(n_), 0.0);
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
   for (Vector* x : {&lambda_, &lambda_rate_}) x->assign(at(rows_), 0.0);
@@ -102,9 +103,9 @@ double* GeneralisedAlpha::absolute(const Vector& u) {
 // tolerance below 1e-10 gains nothing.
 void GeneralisedAlpha::choose_allowed() {
   allowed_ = std::sqrt(std::min(1.0, tolerances_.relative / 1e-2));
-  allowed_ = std::max(allowed_, noise * rounding_of(1.0) / tolerances_.relative);
+  allowed_ = std::max(allowed_, noise * machine_epsilon / tolerances_.relative);
   for (int i = 0; i < n_; ++i)
-    allowed_ = std::max(allowed_, noise * rounding_of(extent(i)) / tolerances_.q[i]);
+    allowed_ = std::max(allowed_, noise * machine_epsilon * extent(i) / tolerances_.q[i]);
   least_allowed_ = allowed_;
 }
 
@@ -113,14 +114,22 @@ double GeneralisedAlpha::extent(int i) const {
   return std::abs(q_start_[at(i)]) + (i % 3 == 2 ? 1.0 : system_.scales().length);
 }
 
+/// What a step may err by, in one coordinate, and not less than rounding leaves.
+void GeneralisedAlpha::weigh() {
+  for (int i = 0; i < n_; ++i) {
+    weight_q_[at(i)] = 1.0 / (allowed_ * tolerances_.q[i]);
+    weight_v_[at(i)] = 1.0 / (allowed_ * tolerances_.v[i]);
+  }
+  floor_.apply(absolute(end_.u), end_.v.data(), weight_q_.data(), weight_v_.data(), allowed_);
+}
+
 /// What rounding of the positions leaves unknown of a coordinate: an angle is only as good as the
-/// positions of joints, at about the radius of gyration from the centre.
+/// positions of joints.
 double GeneralisedAlpha::rounding(int i) const {
   const double own = rounding_of(extent(i));
-  if (i % 3 != 2) return own;
-  const double gyration = std::sqrt(system_.mass()[at(i)] / system_.mass()[at(i - 1)]);
+  if (i % 3 != 2) return own * floor_.yielding(i);
   const double position = std::max(std::abs(q_start_[at(i - 2)]), std::abs(q_start_[at(i - 1)]));
-  return std::max(own, rounding_of(position) / gyration);
+  return std::max(own, rounding_of(position) / floor_.arm(i / 3)) * floor_.yielding(i);
 }
 
 bool GeneralisedAlpha::calc_rates(Node& node) {
@@ -140,6 +149,7 @@ void GeneralisedAlpha::start(const State& state) {
   std::copy_n(state.z.data(), nz_, end_.z.begin());
   std::copy_n(state.energy.data(), quadratures_, end_.energy.begin());
   choose_allowed();
+  floor_.start();
   for (int i = 0; i < n_; ++i) rounding_[at(i)] = rounding(i);
   guard_.start(state);
   if (guard_.count() > 0)
@@ -228,6 +238,7 @@ void GeneralisedAlpha::calc_normal_jerk() {
 
 Step GeneralisedAlpha::step(double t_stop) {
   if (!started_) begin(t_stop);
+  weigh();
   if (options_.steps.empty()) {
     if (!take_controlled_step(t_stop)) return Step::failed;
   } else {
@@ -308,9 +319,8 @@ double GeneralisedAlpha::calc_error() const {
     const double second = second_difference(begin_.a[i], a0, a1, k, h);
     const double dv = h * (0.5 * (a0 + a1) - second * h * h / 6.0);
     const double du = h * (end_.v[i] + h * (a0 / 3.0 + a1 / 6.0 - second * h * h / 12.0));
-    note(std::abs(new_.u[i] - end_.u[i] - du) / (allowed_ * tolerances_.q[j]));
-    note(std::abs(new_.v[i] - end_.v[i] - dv) /
-         std::max(allowed_ * tolerances_.v[j], noise * rounding_of(new_.v[i])));
+    note(std::abs(new_.u[i] - end_.u[i] - du) * weight_q_[i]);
+    note(std::abs(new_.v[i] - end_.v[i] - dv) * weight_v_[i]);
   }
   for (int j = 0; j < nz_; ++j) {
     const std::size_t i = at(j);

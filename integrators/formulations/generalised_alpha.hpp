@@ -43,6 +43,7 @@
 #include <yoke/integrators/formulations/equations/iteration_matrix.hpp>
 #include <yoke/integrators/formulations/event_guard.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
+#include <yoke/integrators/formulations/rounding_floor.hpp>
 
 namespace yoke {
 
@@ -110,6 +111,7 @@ class GeneralisedAlpha final : public Formulation {
   void step_to_root(double t_root);
   void calc_interpolant(const Node& from, const Node& to, double t);
   void choose_allowed();
+  void weigh();
   double extent(int i) const;
   double rounding(int i) const;
   Step fail(const char* why);
@@ -124,12 +126,14 @@ class GeneralisedAlpha final : public Formulation {
   IterationMatrix matrix_;
   MultiplierMask mask_;
   EventGuard guard_;
-  Vector q_start_, q_;      // q_: absolute positions, scratch
-  Vector rounding_;         // of each coordinate
-  Node begin_, end_, new_;  // the last step, and the end of the one being tried
-  Vector b_, b_z_;          // (a - v')/h, and the same of z, at the end of the last step
-  Vector jerk_;             // v'' there, [n]
-  Vector jerk_normal_;      // its part across the constraints, in the metric of the masses
+  RoundingFloor floor_;
+  Vector q_start_, q_;          // q_: absolute positions, scratch
+  Vector rounding_;             // of each coordinate
+  Vector weight_q_, weight_v_;  // one over what a step may err by
+  Node begin_, end_, new_;      // the last step, and the end of the one being tried
+  Vector b_, b_z_;              // (a - v')/h, and the same of z, at the end of the last step
+  Vector jerk_;                 // v'' there, [n]
+  Vector jerk_normal_;          // its part across the constraints, in the metric of the masses
   Vector lambda_rate_;
   Vector v_old_, a_old_, w_old_;               // what the step being tried starts from
   Vector v_, a_, rate_, w_, z_rate_, lambda_;  // its iterates; positions and z are in new_

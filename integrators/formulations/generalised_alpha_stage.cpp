@@ -109,8 +109,7 @@ double GeneralisedAlpha::correct(double h) {
     v_[at(i)] += c_.gamma * h * da;
     a_[at(i)] += da;
     rate_[at(i)] += am * da;
-    const double r =
-        std::abs(dq) / std::max(newton_share * allowed_ * tolerances_.q[i], rounding_[at(i)]);
+    const double r = std::abs(dq) / std::max(newton_share / weight_q_[at(i)], rounding_[at(i)]);
     if (!(r <= norm)) norm = r;  // catches NaN
   }
   for (int i = 0; i < nz_; ++i) {

@@ -30,7 +30,8 @@ constexpr double unweighted = 1e30;  // multipliers: no error test, no say in Ne
 
 class Ida final : public SundialsStepper {
  public:
-  Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations);
+  Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations,
+      ErrorNorm norm);
   ~Ida() override;
 
   void start(const State& state) override;
@@ -64,6 +65,7 @@ class Ida final : public SundialsStepper {
   OwnLinearSolver solver_;
   void* memory_ = nullptr;
   SundialsVector y_dot_, scratch_;
+  SundialsVector sensible_weights_;  // within the floor of rounding
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
   int steps_with_matrix_ = 0;
@@ -72,14 +74,17 @@ class Ida final : public SundialsStepper {
   long residuals_ = 0, matrices_ = 0;  // never reset
 };
 
-Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations)
-    : SundialsStepper(dynamics, tolerances, equations->size()),
+Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEquations> equations,
+         ErrorNorm norm)
+    : SundialsStepper(dynamics, tolerances, equations->size(), multistep),
       own_equations_(std::move(equations)),
       equations_(*own_equations_),
       rows_(dynamics.system().rows()),
       solver_(this, solver_calls(), context_),
-      y_dot_(size_, context_),
-      scratch_(size_, context_) {
+      y_dot_(size_, context_, &groups_),
+      scratch_(size_, context_, &groups_),
+      sensible_weights_(size_, context_, &groups_) {
+  if (norm == ErrorNorm::assemblies) groups_.tie(assemblies_of(dynamics.system()));
   power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
   lambda_.assign(static_cast<std::size_t>(rows_), 0.0);
@@ -92,7 +97,7 @@ Ida::~Ida() {
 
 const double* Ida::absolute(const double* y) {
   std::copy_n(y, absolute_.size(), absolute_.begin());
-  for (std::size_t i = 0; i < q_start_.size(); ++i) absolute_[i] += q_start_[i];
+  std::copy_n(q_of(y), n_, absolute_.begin());
   return absolute_.data();
 }
 
@@ -106,9 +111,7 @@ LinearSolverCalls Ida::solver_calls() const {
 }
 
 void Ida::set_weights() {
-  // The root mean square of IDA runs over all unknowns; what is not weighted must not dilute it.
-  const double weighted = std::max(1, 2 * n_ + nz_);
-  SundialsStepper::set_weights(std::sqrt(weighted / std::max(1, size_)));
+  SundialsStepper::set_weights();
   std::fill(weights_.data() + equations_.lambda(), weights_.data() + energies_, 1.0 / unweighted);
 }
 
@@ -134,7 +137,7 @@ void Ida::create(double t) {
   IDAInit(memory_, &Ida::residual, t, y_, y_dot_);
   IDASetUserData(memory_, user_data());
   set_weights();
-  IDAWFtolerances(memory_, &Ida::copy_weights);
+  IDAWFtolerances(memory_, &Ida::calc_weights);
   IDASetLinearSolver(memory_, solver_.solver(), solver_.matrix());
   IDASetJacFn(memory_, &Ida::jacobian);
   IDASetDeltaCjLSetup(memory_, step_change);
@@ -169,7 +172,8 @@ void Ida::start(const State& state) {
 // seen a little ahead, as in Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
 // II.4. 0: IDA's own.
 double Ida::first_step() {
-  const double rate = N_VWrmsNorm(y_dot_, weights_);
+  calc_weights(y_, sensible_weights_, user_data());
+  const double rate = N_VWrmsNorm(y_dot_, sensible_weights_);
   if (!(rate > 0.0)) return 0.0;
   const double d = probe / rate;
   absolute(y());
@@ -194,7 +198,7 @@ double Ida::first_step() {
   }
   for (int i = n_; i < size_; ++i) change[i] = (change[i] - y_dot()[i]) / d;
   std::copy_n(y_dot() + n_, n_, change);
-  const double curvature = N_VWrmsNorm(scratch_, weights_), longest = longest_first * d;
+  const double curvature = N_VWrmsNorm(scratch_, sensible_weights_), longest = longest_first * d;
   return std::min(longest, std::sqrt(2.0 * first_error / curvature));  // infinity if straight
 }
 
@@ -215,7 +219,8 @@ Step Ida::step(double t_stop) {
     return Step::event;
   }
   refresh_matrix();
-  control_.accept(memory_, t_, weights_, scratch_);
+  IDAGetErrWeights(memory_, sensible_weights_);
+  control_.accept(memory_, t_, sensible_weights_, scratch_);
   accept_step();
   return Step::advanced;
 }
@@ -311,8 +316,8 @@ int Ida::events(sunrealtype t, N_Vector y, N_Vector, sunrealtype* g, void* self)
 }  // namespace
 
 std::unique_ptr<Formulation> make_ida(Dynamics& dynamics, const Tolerances& tolerances,
-                                      std::unique_ptr<DaeEquations> equations) {
-  return std::make_unique<Ida>(dynamics, tolerances, std::move(equations));
+                                      std::unique_ptr<DaeEquations> equations, ErrorNorm norm) {
+  return std::make_unique<Ida>(dynamics, tolerances, std::move(equations), norm);
 }
 
 }  // namespace yoke

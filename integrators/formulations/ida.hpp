@@ -11,8 +11,12 @@
 
 namespace yoke {
 
+/// Whose error a step is judged by: the worst body, or the worst of the assemblies of bodies that
+/// joints tie together, each by the root mean square of its bodies.
+enum class ErrorNorm { bodies, assemblies };
+
 /// The formulation that integrates them by BDF.
 std::unique_ptr<Formulation> make_ida(Dynamics& dynamics, const Tolerances& tolerances,
-                                      std::unique_ptr<DaeEquations> equations);
+                                      std::unique_ptr<DaeEquations> equations, ErrorNorm norm);
 
 }  // namespace yoke

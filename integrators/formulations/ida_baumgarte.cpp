@@ -13,7 +13,8 @@ std::unique_ptr<Formulation> make_ida_baumgarte(Dynamics& dynamics, const Tolera
       tolerances.baumgarte_rate > 0.0 ? tolerances.baumgarte_rate : 4.0 * tolerances.natural_rate;
   return make_ida(dynamics, tolerances,
                   std::make_unique<BaumgarteEquations>(dynamics.system(),
-                                                       Baumgarte{.alpha = rate, .beta = rate}));
+                                                       Baumgarte{.alpha = rate, .beta = rate}),
+                  ErrorNorm::bodies);
 }
 
 }  // namespace yoke

@@ -4,15 +4,16 @@
 // What the formulations on top of SUNDIALS' integrators have in common: the vector of unknowns, its
 // error weights, events, counters and failures.
 //
-// y = (q - q_0, v, z, ..., energies). Positions are displacements from the last restart, so
-// rounding in the integrator's sums does not depend on where the origin is; elements get absolute
-// positions.
+// y = (q - q_0, v, z, ..., energies). Positions are displacements from a base, so rounding in the
+// integrator's sums does not depend on where the origin is; elements get absolute positions. A
+// restart makes its positions the base; a method of one step also moves the base as it goes.
 #pragma once
 
 #include <vector>
 
 #include <yoke/integrators/formulations/event_guard.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
+#include <yoke/integrators/formulations/rounding_floor.hpp>
 #include <yoke/integrators/sundials/callback_failure.hpp>
 #include <yoke/integrators/sundials/context.hpp>
 #include <yoke/integrators/sundials/vector.hpp>
@@ -27,8 +28,11 @@ class SundialsStepper : public Formulation {
   std::string failure() const override { return failure_.text; }
 
  protected:
-  /// Energies begin at y[energies].
-  SundialsStepper(Dynamics& dynamics, const Tolerances& tolerances, int energies);
+  static constexpr RoundingFloor::Noise one_step{.own = 8.0}, multistep{.own = 128.0};
+
+  /// Energies begin at y[energies]; for `noise` see RoundingFloor.
+  SundialsStepper(Dynamics& dynamics, const Tolerances& tolerances, int energies,
+                  const RoundingFloor::Noise& noise);
 
   double* y() const { return y_.data(); }
   const double* v_of(const double* y) const { return y + n_; }
@@ -39,8 +43,12 @@ class SundialsStepper : public Formulation {
   /// t, q, v, z and energies between the state and y_; pack() makes its positions the new origin.
   void pack(const State& state);
   void unpack(double t, State& state);
-  /// 1 / (share * tolerance) for q, v, z and energies; other unknowns are left.
-  void set_weights(double share = 1.0);
+  /// Moves the base to the positions of y, without loss, and the displacements to zero.
+  void move_base();
+  /// Have the displacements grown so large that their rounding counts against the tolerance?
+  bool is_far_from_base() const;
+  /// 1 / tolerance for q, v, z and energies; other unknowns are left.
+  void set_weights();
   void accept_step() { guard_.accept(t_, q_of(y()), v_of(y()), z_of(y())); }
   /// After a root at t_, with found_ as the integrator reports it.
   void collect_events() { guard_.collect(t_, q_of(y()), v_of(y()), z_of(y()), found_); }
@@ -56,8 +64,8 @@ class SundialsStepper : public Formulation {
     return static_cast<Derived&>(*static_cast<SundialsStepper*>(user_data));
   }
   void* user_data() { return this; }
-  /// The callback for error weights: they do not depend on y, so they are only copied.
-  static int copy_weights(N_Vector y, N_Vector weights, void* user_data);
+  /// The callback for error weights: those of set_weights(), within the floor of rounding.
+  static int calc_weights(N_Vector y, N_Vector weights, void* user_data);
   /// Every event counts upwards.
   std::vector<int> directions() const { return std::vector<int>(found_.size(), 1); }
 
@@ -66,16 +74,19 @@ class SundialsStepper : public Formulation {
   CallbackFailure failure_;
   EventGuard guard_;
   int n_, nz_, quadratures_, energies_, size_;
+  RoundingFloor floor_;
   SundialsContext context_;
+  ErrorGroups groups_;
   SundialsVector y_, weights_;
   double t_ = 0.0;
-  double t_stop_ = 0.0;     // as the integrator knows it
-  std::vector<int> found_;  // [events]
-  StepCounters before_;     // of integrations before the last restart
-  std::vector<double> q_start_;
+  double t_stop_ = 0.0;          // as the integrator knows it
+  std::vector<int> found_;       // [events]
+  StepCounters before_;          // of integrations before the last restart
+  std::vector<double> q_start_;  // the base, to double precision
 
  private:
-  std::vector<double> q_;  // scratch
+  std::vector<double> q_low_;  // what the base has beyond that
+  std::vector<double> q_;      // scratch
 };
 
 }  // namespace yoke

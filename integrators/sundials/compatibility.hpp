@@ -38,6 +38,7 @@ inline int ARKodeSetStopTime(void* m, sunrealtype t) { return ERKStepSetStopTime
 inline int ARKodeEvolve(void* m, sunrealtype t, N_Vector y, sunrealtype* reached, int task) {
   return ERKStepEvolve(m, t, y, reached, task);
 }
+inline int ARKodeReset(void* m, sunrealtype t, N_Vector y) { return ERKStepReset(m, t, y); }
 inline int ARKodeGetDky(void* m, sunrealtype t, int k, N_Vector y) {
   return ERKStepGetDky(m, t, k, y);
 }

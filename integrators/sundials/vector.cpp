@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <new>
+#include <utility>
 
 namespace yoke {
 
@@ -70,6 +73,63 @@ sunrealtype wrms_norm(N_Vector x_vector, N_Vector w_vector) {
   return std::sqrt(squares / static_cast<double>(n));
 }
 
+/// The content of SUNDIALS' serial vector, which its own functions know, and what norms need.
+struct Content {
+  _N_VectorContent_Serial serial;
+  ErrorGroups* groups;
+};
+
+// The content is allocated with malloc, as SUNDIALS' destructor expects.
+void enlarge_content(N_Vector vector, ErrorGroups* groups) {
+  vector->content = std::realloc(vector->content, sizeof(Content));
+  if (vector->content == nullptr) throw std::bad_alloc();
+  static_cast<Content*>(vector->content)->groups = groups;
+}
+
+ErrorGroups* groups_of(N_Vector vector) { return static_cast<Content*>(vector->content)->groups; }
+
+N_Vector clone(N_Vector vector) {
+  N_Vector copy = N_VClone_Serial(vector);
+  enlarge_content(copy, groups_of(vector));
+  return copy;
+}
+
+sunrealtype largest_group(N_Vector x_vector, N_Vector w_vector) {
+  const double* x = NV_DATA_S(x_vector);
+  const double* w = NV_DATA_S(w_vector);
+  ErrorGroups& groups = *groups_of(w_vector);
+  // Of the six of a body: a ball that falls moves in one, so the mean of all would be too mild.
+  constexpr double coordinates = 4.0;
+  const int n = groups.dofs, size = static_cast<int>(NV_LENGTH_S(x_vector));
+  const auto square = [=](int i) {
+    const double r = x[i] * w[i];
+    return r * r;
+  };
+  double largest = 0.0, sum = 0.0;  // the sum: NaN must not get lost
+  std::ranges::fill(groups.sum, 0.0);
+  for (int i = 0; i < n; i += 3) {
+    const double body = square(i) + square(i + 1) + square(i + 2) + square(n + i) +
+                        square(n + i + 1) + square(n + i + 2);
+    sum += body;
+    if (groups.together.empty())
+      largest = std::max(largest, body);
+    else
+      groups.sum[static_cast<std::size_t>(groups.together[static_cast<std::size_t>(i / 3)])] +=
+          body;
+  }
+  for (std::size_t i = 0; i < groups.sum.size(); ++i)
+    if (groups.count[i] > 0.0) largest = std::max(largest, groups.sum[i] / groups.count[i]);
+  for (int i = size - groups.energies; i < size; ++i) {
+    largest = std::max(largest, square(i));
+    sum += square(i);
+  }
+  for (int i = 2 * n; i < 2 * n + groups.states; ++i) {
+    largest = std::max(largest, coordinates * square(i));
+    sum += square(i);
+  }
+  return std::isfinite(sum) ? std::sqrt(largest / coordinates) : sum;
+}
+
 /// In blocks that stay in the cache nearest to the processor.
 int linear_combination(int count, sunrealtype* c, N_Vector* x, N_Vector z) {
   constexpr sunindextype block = 128;
@@ -90,13 +150,22 @@ int linear_combination(int count, sunrealtype* c, N_Vector* x, N_Vector z) {
 
 }  // namespace
 
-N_Vector new_vector(int size, SUNContext context) {
+void ErrorGroups::tie(std::vector<int> bodies) {
+  together = std::move(bodies);
+  sum.assign(together.size(), 0.0);
+  count = sum;
+  for (const int group : together) ++count[static_cast<std::size_t>(group)];
+}
+
+N_Vector new_vector(int size, SUNContext context, ErrorGroups* groups) {
   N_Vector vector = N_VNew_Serial(size, context);
+  enlarge_content(vector, groups);
+  vector->ops->nvclone = clone;
   vector->ops->nvlinearsum = linear_sum;
   vector->ops->nvscale = scale;
   vector->ops->nvconst = set_constant;
   vector->ops->nvprod = product;
-  vector->ops->nvwrmsnorm = wrms_norm;
+  vector->ops->nvwrmsnorm = groups != nullptr ? largest_group : wrms_norm;
   vector->ops->nvlinearcombination = linear_combination;
   N_VConst(0.0, vector);
   return vector;

@@ -34,7 +34,7 @@ std::vector<std::string> movable_bodies(Dynamics& dynamics, const State& state) 
   const std::vector<double> rest(static_cast<std::size_t>(system.dofs()), 0.0);
   system.set_motion(state.t, state.q.data(), rest.data());
   system.calc_position_level(phi.data());
-  LeastChange change(system, {system.mass().begin(), system.mass().end()});
+  LeastChange change(system, metric_of_masses(system));
   Eigen::VectorXd d(system.dofs());
   for (Eigen::Index i = 0; i < d.size(); ++i) d[i] = std::cos(1.0 + 2.4 * static_cast<double>(i));
   for (Eigen::Index i = 0; i < d.size(); ++i)

@@ -48,7 +48,10 @@ class SingularCrossing final : public Formulation {
   void watch();
   bool choose_other_rows();
   void begin_crossing();
-  bool try_step(double t_stop);
+  bool try_step(double t_stop, double energy_before);
+  double allowed_energy_change(double energy) const;
+  Step abandon_crossing(double t_stop);
+  void record_crossed();
   double propose(double rest) const;
   Step accept_segment();
   bool find_event(int& slot, double& t);
@@ -77,6 +80,7 @@ class SingularCrossing final : public Formulation {
   double hold_off_ = 2.0;  // enter only below this: what has proved to be harmless is above
 
   bool crossing_ = false, entering_ = false, leaving_ = false;
+  bool forced_ = false;  // because the formulation failed
   GaussCollocation::Segment segment_, trial_;
   double t_ = 0.0, h_ = 0.0, to_singular_ = far;
   int segments_ = 0;
@@ -86,7 +90,7 @@ class SingularCrossing final : public Formulation {
   bool has_found_ = false;
   std::vector<double> y_, g_;
   std::vector<int> found_events_;
-  std::string failure_;
+  std::string failure_, inner_failure_;
 };
 
 }  // namespace yoke

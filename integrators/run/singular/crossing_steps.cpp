@@ -15,14 +15,27 @@ namespace {
 constexpr double too_close = 1e-7;   // of a stage; errors of a position grow by its root
 constexpr double longest = 0.5;      // of the time scale
 constexpr double error_share = 0.5;  // of the error weights
+// Of the largest independence: where rounding may be all that is left of accuracy.
+constexpr double nearly_singular = 1e-4;
+constexpr double shortest_regular = 1e-6;  // of the time scale, elsewhere
+constexpr double bearable = 10.0;          // error that rounding may leave, of the tolerance
+constexpr double energy_share = 100.0;     // of the relative tolerance
 constexpr int max_attempts = 200;
 constexpr int max_segments = 2000;  // without getting away
 
 }  // namespace
 
 Step SingularCrossing::cross(double t_stop) {
-  if (!try_step(t_stop)) return Step::failed;
+  const double energy_before = energy(t_, segment_.end.data());
+  if (!try_step(t_stop, energy_before)) return Step::failed;
   return accept_segment();
+}
+
+// What a step, or the whole crossing, may change in the energy balance: more is reported. 0.01 of
+// the kinetic energy of the error weights is what tolerances.energy allows a step of a formulation.
+double SingularCrossing::allowed_energy_change(double energy) const {
+  return energy_share * tolerances_.relative * (kinetic_entry_ + std::abs(energy)) +
+         1e2 * tolerances_.energy;
 }
 
 // The length of the next step: the singular position, where it is expected, is to lie in the middle
@@ -43,7 +56,8 @@ double SingularCrossing::propose(double rest) const {
 }
 
 // A step with 6 stages, judged by one with 4, until they agree or it is as short as is sensible.
-bool SingularCrossing::try_step(double t_stop) {
+// False, without a reason: none that is accurate can be had although the rank does not collapse.
+bool SingularCrossing::try_step(double t_stop, double energy_before) {
   const double scale = dynamics_.system().scales().time;
   std::vector<double> y = segment_.end;
   const auto n = dynamics_.system().dofs();
@@ -77,20 +91,27 @@ bool SingularCrossing::try_step(double t_stop) {
       if (h_ < 1e-10 * scale) break;
       continue;
     }
-    const double error = gauss_.distance(trial_.end.data(), segment_.end.data()) /
-                         std::max(error_share, 1e-10 / tolerances_.relative);
+    const bool collapses = segment_.least < nearly_singular * largest_;
+    const double change = std::abs(energy(t_ + h, segment_.end.data()) - energy_before);
+    const double distance = gauss_.distance(trial_.end.data(), segment_.end.data()) /
+                            std::max(error_share, 1e-10 / tolerances_.relative);
+    const double error =
+        collapses ? distance : std::max(distance, change / allowed_energy_change(energy_before));
     const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-12), -1.0 / 9.0), 0.3, 2.0);
+    const double shortest = (collapses ? shortest_ : shortest_regular) * scale;
     // An error that does not fall with the step is rounding.
-    if (error > 1.0 && h > shortest_ * scale && error < 0.5 * last_error) {
+    if (error > 1.0 && h > shortest && error < 0.5 * last_error) {
       last_error = error;
-      h_ = std::max(factor * h, shortest_ * scale);
+      h_ = std::max(factor * h, shortest);
       ++own_.rejected;
       continue;
     }
-    h_ = std::clamp(factor * std::max(h, h_), shortest_ * scale, longest * scale);
+    if (!collapses && error > bearable) break;
+    h_ = std::clamp(factor * std::max(h, h_), shortest, longest * scale);
     return true;
   }
   segment_.end = std::move(y);
+  if (m_last_ >= nearly_singular * largest_) return false;  // not a matter of rank: see cross()
   failure_ = fmt::format(
       "the singular position of '{}' could not be crossed: no motion beyond it was found",
       dynamics_.system().equation_name(dynamics_.weakest_row()));

@@ -54,6 +54,7 @@ void SingularCrossing::start(const State& state) {
     largest_ = std::max(largest_, m_);
     if ((crossing_ && m_ < m_entry_) || singular) {
       crossing_ = false;
+      forced_ = false;
       begin_crossing();
       return;
     }
@@ -78,7 +79,23 @@ Step SingularCrossing::step(double t_stop) {
     if (choose_other_rows()) return step_inside(t_stop);
     begin_crossing();
   }
-  return cross(t_stop);
+  const Step step = cross(t_stop);
+  return step == Step::failed && failure_.empty() ? abandon_crossing(t_stop) : step;
+}
+
+// No accurate step can be had from here, but the position is not singular either: the formulation
+// goes on, unless it was it that failed.
+Step SingularCrossing::abandon_crossing(double t_stop) {
+  record_crossed();
+  if (forced_) {
+    failure_ = inner_failure_;
+    return Step::failed;
+  }
+  crossing_ = false;
+  hold_off_ = 0.3 * m_last_;
+  renew();
+  inner_->start(here_);
+  return step_inside(t_stop);
 }
 
 // Pivots chosen near a singular position are bad ones and the measure of what is a bad one.
@@ -96,7 +113,8 @@ Step SingularCrossing::step_inside(double t_stop) {
     check_redundant(here_.t, here_.q.data());
     if (watches_) watch();
   } else if (step == Step::failed && watches_) {
-    entering_ = m_ < troubled * largest_;
+    entering_ = forced_ = m_ < troubled * largest_;
+    inner_failure_ = inner_->failure();
   }
   return step;
 }
@@ -109,6 +127,7 @@ void SingularCrossing::watch() {
   m_ = m;
   t_m_ = t;
   largest_ = std::max(largest_, m);
+  if (m > 5.0 * near * largest_) hold_off_ = 2.0;
   if (!(m < m_before_) || m > hold_off_ || !has_before_) return;
   const double s = std::sqrt(m), rate = (s - std::sqrt(m_before_)) / dt_;
   entering_ = m < near * largest_ ||
@@ -169,6 +188,7 @@ double SingularCrossing::energy(double t, const double* y) {
 void SingularCrossing::begin_crossing() {
   crossing_ = true;
   leaving_ = has_found_ = false;
+  found_ = {};
   segments_ = 0;
   failure_.clear();
   t_ = here_.t;
@@ -191,20 +211,28 @@ void SingularCrossing::begin_crossing() {
 
 void SingularCrossing::end_crossing() {
   leaving_ = true;
+  forced_ = false;
   m_ = m_last_;
   t_m_ = t_;
-  found_.energy_before = energy_entry_;
-  found_.energy_after = energy(t_, segment_.end.data());
+  record_crossed();
+  if (found_.independence > was_singular * largest_)  // it only came near: not to be left for again
+    hold_off_ = 0.3 * found_.independence;
   const double jump = std::abs(found_.energy_after - energy_entry_);
   if (jump > energy_bound * (kinetic_entry_ + std::abs(energy_entry_)) + 1e4 * tolerances_.energy)
     failure_ = fmt::format(
         "the energy changed by {:g} J from {:g} J over the singular position of "
         "'{}' at t = {:.9g} s",
         found_.energy_after - energy_entry_, energy_entry_, found_.equation, found_.t);
-  if (has_found_ && found_.independence < was_singular * largest_)
+}
+
+// A singular position, or one that cost energy although it was none.
+void SingularCrossing::record_crossed() {
+  if (!has_found_) return;
+  found_.energy_before = energy_entry_;
+  found_.energy_after = energy(t_, segment_.end.data());
+  const double jump = std::abs(found_.energy_after - found_.energy_before);
+  if (found_.independence < was_singular * largest_ || jump > allowed_energy_change(energy_entry_))
     record_(found_);
-  else  // it only came near: not to be left for that again
-    hold_off_ = 0.3 * found_.independence;
 }
 
 void SingularCrossing::interpolate(double t, State& state) {

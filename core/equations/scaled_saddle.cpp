@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/scaled_saddle.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <yoke/core/equations/index.hpp>
+
+namespace yoke {
+
+ScaledSaddle::ScaledSaddle(const System& system, std::vector<double> weights,
+                           std::vector<char> held, std::vector<char> ignored)
+    : system_(system),
+      root_(std::move(weights)),
+      held_(std::move(held)),
+      ignored_(std::move(ignored)) {
+  const int n = system.dofs(), rows = system.rows();
+  for (double& r : root_) r = std::sqrt(r);
+  held_.resize(at(n), 0);
+  ignored_.resize(at(rows), 0);
+  PatternBuilder pattern(n + rows);
+  for (int i = 0; i < n + rows; ++i) diagonal_.push_back(pattern.add(i, i));
+  for (const ConstraintSlot& c : system.constraints()) {
+    for (int i = 0; i < c.rows; ++i) {
+      const int row = c.row + i;
+      for (int j = 0; j < c.columns; ++j) {
+        const int dof = system.dof()[at(c.dofs + j)];
+        if (dof < 0 || holds(dof) || ignores(row)) continue;
+        const int lower = pattern.add(n + row, dof);
+        stamps_.push_back(
+            {c.block + i * c.columns + j, row, dof, lower, pattern.add(dof, n + row)});
+      }
+    }
+  }
+  std::vector<int> slot;
+  matrix_ = pattern.compile(slot);
+  for (int& d : diagonal_) d = slot[at(d)];
+  for (Stamp& s : stamps_) {
+    s.lower = slot[at(s.lower)];
+    s.upper = slot[at(s.upper)];
+  }
+  row_scale_.assign(at(rows), 0.0);
+  lu_ = std::make_unique<SparseLU>(matrix_);
+}
+
+bool ScaledSaddle::factorise(double mu) {
+  const int n = system_.dofs();
+  const double* G = system_.G();
+  std::ranges::fill(row_scale_, 0.0);
+  for (const Stamp& s : stamps_) {
+    const double g = G[s.entry] / root_[at(s.dof)];
+    row_scale_[at(s.row)] += g * g;
+  }
+  for (double& r : row_scale_) r = r > 0.0 && std::isfinite(r) ? 1.0 / std::sqrt(r) : 0.0;
+  std::ranges::fill(matrix_.value, 0.0);
+  for (int i = 0; i < n; ++i) matrix_.value[at(diagonal_[at(i)])] = 1.0;
+  for (int i = 0; i < system_.rows(); ++i)
+    matrix_.value[at(diagonal_[at(n + i)])] = ignores(i) ? 1.0 : -mu;
+  for (const Stamp& s : stamps_) {
+    const double value = G[s.entry] * row_scale_[at(s.row)] / root_[at(s.dof)];
+    matrix_.value[at(s.lower)] += value;
+    matrix_.value[at(s.upper)] += value;
+  }
+  return lu_->factorise(matrix_);
+}
+
+std::vector<double> metric_of_masses(const System& system) {
+  // Small enough to leave the motion to those that have mass, large enough for the numerics.
+  constexpr double next_to_nothing = 1e-6;
+  std::vector<double> weights(system.mass().begin(), system.mass().end());
+  const auto massless = [](double w) { return w == 0.0; };
+  if (std::ranges::none_of(weights, massless)) return weights;
+  double mass = 0.0;
+  for (std::size_t i = 0; i < weights.size(); i += 3) mass = std::max(mass, weights[i]);
+  if (mass == 0.0) mass = 1.0;
+  const double length = system.scales().length;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (massless(weights[i]))
+      weights[i] = next_to_nothing * mass * (i % 3 == 2 ? length * length : 1.0);
+  return weights;
+}
+
+std::vector<double> metric_of_lengths(System& system) {
+  const State start = system.model().start_state();
+  const std::vector<double> at_rest(at(system.dofs()), 0.0);
+  std::vector<double> phi(at(system.rows()));
+  system.set_motion(start.t, start.q.data(), at_rest.data());
+  system.calc_position_level(phi.data());
+  std::vector<double> turn(at(system.dofs() / 3), 0.0), shift = turn;
+  for (const ConstraintSlot& c : system.constraints())
+    for (int i = 0; i < c.rows; ++i)
+      for (int j = 0; j < c.columns && system.measure(c.row + i) == Measure::length; ++j) {
+        const int dof = system.dof()[at(c.dofs + j)];
+        if (dof < 0) continue;
+        const double g = system.G()[c.block + i * c.columns + j];
+        (dof % 3 == 2 ? turn : shift)[at(dof / 3)] += g * g;
+      }
+  const double length = system.natural_length();
+  std::vector<double> weights(at(system.dofs()), 1.0);
+  for (std::size_t body = 0; body < turn.size(); ++body) {
+    const double square = turn[body] / shift[body];
+    weights[3 * body + 2] = square > 0.0 && std::isfinite(square) ? square : length * length;
+  }
+  return weights;
+}
+
+}  // namespace yoke
