@@ -85,7 +85,7 @@ Run::Run(const Model& model, const State& state, const SimulationOptions& option
       sample_(state),
       checkpoints_(options, t_start),
       locator_(dynamics_.system()),
-      elements_(dynamics_, state_, result_.events,
+      elements_(dynamics_, state_, result_,
                 [this](Stop why, std::string reason) { stop(why, std::move(reason)); }) {}
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
