@@ -41,7 +41,8 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
       b_(b),
       geometry_(std::move(geometry)),
       laws_(std::move(laws)),
-      region_names_(geometry_->region_names()) {
+      region_names_(geometry_->region_names()),
+      reference_force_(reference_force) {
   const std::string owner = fmt::format("contact '{}'", this->name());
   require_positive(owner, "reference_force", reference_force, "N");
   if (laws_.size() != region_names_.size())
@@ -53,6 +54,26 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
     limits_.push_back(each.penetration_limit());
     if (std::isfinite(limits_.back())) each.elastic = Continued{each.elastic};
   }
+}
+
+double touch_tolerance(double length, double penetration, double rounding) {
+  const double size = std::min(length, penetration);  // a soft law may not reach its reference
+  return std::max(std::sqrt(std::numeric_limits<double>::epsilon() * length * size), rounding);
+}
+
+double ContactElement::touch(const ForceInput& in) const {
+  return touch_tolerance(in.scales.length, penetration_scale_, in.rounding);
+}
+
+// The two kinds of "apart" with a memory; margins keep a put-off onset from being taken for them.
+
+bool ContactElement::remembers(const ForceInput& in, const ContactMemory& memory) const {
+  return memory.release_penetration > 2.0 * touch(in);
+}
+
+bool ContactElement::lifted(const ForceInput& in, const ContactMemory& memory) const {
+  return memory.phase == ContactPhase::apart &&
+         memory.release_penetration > memory.permanent_set + 2.0 * touch(in);
 }
 
 std::array<double, columns> ContactElement::velocity(const Motion& motion) const {
@@ -74,7 +95,7 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
   const ContactMemory& memory = *in.contact;
   if (out.energy != nullptr) *out.energy = {};
   const bool apart = memory.phase == ContactPhase::apart;
-  if (apart && !is_lifted(memory)) return;
+  if (apart && !lifted(in, memory)) return;
 
   const bool want_jacobian = !apart && (out.dQ_dq != nullptr || out.dQ_dv != nullptr);
   ContactKinematics k;
@@ -117,7 +138,7 @@ std::vector<Channel> ContactElement::channels() const {
 void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   const ContactMemory& memory = *in.contact;
   const bool apart = memory.phase == ContactPhase::apart;
-  const int region = watched_region(in.motion, memory);
+  const int region = watched_region(in, memory);
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, region, false, k);
   const double d_rate = rate(k, in.motion);

@@ -40,9 +40,10 @@
 // criterion is whether the present rate carries d out of a band of +-touch_tolerance whatever the
 // acceleration does (`leaves_band`). If it does not, an onset is postponed, and a release leads to
 // "apart"; in both cases the next onset waits until d has grown by the tolerance. Its function is
-// then certainly negative, and a pressing load is caught 1e-11 m later. The same margin applies to
-// the ends of regions, reloads and the return from "lifted". So nothing fires twice without a
-// movement in between.
+// then certainly negative, and a pressing load is caught that little later. The same margin applies
+// to the ends of regions, reloads and the return from "lifted". So nothing fires twice without a
+// movement in between. What is small is told by the scales of the model and of the law, never by a
+// unit: a mechanism written in other units has the same events.
 #pragma once
 
 #include <array>
@@ -56,8 +57,12 @@
 
 namespace yoke {
 
-/// [m] Far above rounding of positions, far below any penetration: a steel pin bears 1e-4 N there.
-inline constexpr double touch_tolerance = 1e-11;
+/// [m] The band around zero within which a penetration is not told from rounding: the geometric
+/// mean of the rounding of lengths and of a penetration, so as far above the one as below the other
+/// (1e-11 m for a pin that bears 100 N at 4 um in a mechanism of 0.1 m). `length` [m] is the model's
+/// length scale, `penetration` [m] that of the contact, `rounding` [m] that of coordinates, which
+/// counts far from the origin only.
+double touch_tolerance(double length, double penetration, double rounding = 0.0);
 
 class ContactElement final : public ForceElement {
  public:
@@ -71,6 +76,7 @@ class ContactElement final : public ForceElement {
 
   int contacts() const override { return 1; }
   /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
+  /// One that penetrates is taken for the impact that would have led there, and a note says so.
   /// A memory that agrees with the positions of the bodies is kept: the run continues a snapshot.
   void initialise_contacts(EventContext& context) const override;
   /// The smallest penetration under the reference force among the regions' laws.
@@ -105,31 +111,35 @@ class ContactElement final : public ForceElement {
     std::array<double, ContactKinematics::columns> gradient;
   };
 
+  double touch(const ForceInput& in) const;
+  bool leaves_band(const ForceInput& in, const Approach& now) const;
+  double margin(const ForceInput& in, const Approach& now, double end) const;
+  bool remembers(const ForceInput& in, const ContactMemory& memory) const;
+  bool lifted(const ForceInput& in, const ContactMemory& memory) const;
   const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
   double limit_of(int region) const { return limits_[static_cast<std::size_t>(region)]; }
   std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
   double rate(const ContactKinematics& k, const Motion& motion) const;
   ContactOutput calc_law(const ForceInput& in, const ContactMemory& memory) const;
-  int watched_region(const Motion& motion, const ContactMemory& memory) const;
-  bool goes_on(const Motion& motion, const ContactMemory& memory) const;
+  int watched_region(const ForceInput& in, const ContactMemory& memory) const;
+  bool goes_on(const ForceInput& in, const ContactMemory& memory) const;
   Approach calc_approach(const EventContext& context, int region) const;
 
   void calc_events_apart(const ForceInput& in, double* g) const;
   void calc_events_lifted(const ForceInput& in, double* g) const;
   void calc_events_in_contact(const ForceInput& in, double* g) const;
-  double calc_pull_off(const ContactLaw& here, const ContactMemory& memory, double d,
-                       double d_rate) const;
+  double calc_pull_off(const ForceInput& in, double d, double d_rate) const;
   double calc_regain(const ForceInput& in, double penetration) const;
-  double calc_kink(const ContactLaw& here, const ContactMemory& memory, double d,
-                   double d_rate) const;
+  double calc_kink(const ForceInput& in, double d, double d_rate) const;
 
   void handle_onset(EventContext& context) const;
-  void handle_release(EventContext& context, bool lifted) const;
+  void handle_release(EventContext& context, bool pulled_off) const;
   void handle_turn(EventContext& context) const;
   void handle_reload(EventContext& context) const;
   void handle_forget(EventContext& context) const;
   void handle_region_end(EventContext& context) const;
   void handle_kink(EventContext& context) const;
+  void assume_approach(EventContext& context, const Approach& now) const;
   void note_side_of_kink(ContactMemory& memory, const Approach& now) const;
   void begin(EventContext& context, int region, const Approach& now) const;
   void end_compression(ContactMemory& memory, double penetration) const;
@@ -142,6 +152,7 @@ class ContactElement final : public ForceElement {
   std::vector<double> limits_;    // [m] where they end, infinite if they do not
   std::vector<std::string> region_names_;
   double penetration_scale_ = 0.0;
+  double reference_force_;  // [N]
 };
 
 }  // namespace yoke

@@ -14,7 +14,7 @@ namespace yoke {
 
 namespace {
 
-/// [m/s] what counts as moving apart: below it a rate may be rounding.
+/// What counts as moving apart, in length scales per time scale: below it a rate may be rounding.
 constexpr double slowest_recession = 1e-9;
 
 }  // namespace
@@ -29,16 +29,16 @@ void ContactElement::calc_events(const ForceInput& in, double* g) const {
 
 void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
-  const double d = geometry_->penetration(in.motion, watched_region(in.motion, memory));
-  if (!has_memory(memory)) {
+  const double d = geometry_->penetration(in.motion, watched_region(in, memory));
+  if (!remembers(in, memory)) {
     g[onset] = d - memory.release_penetration;
     ContactKinematics k;
     geometry_->calc_kinematics(in.motion, geometry_->nearest(in.motion), false, k);
-    g[closest] = -rate(k, in.motion) - slowest_recession;
+    g[closest] = -rate(k, in.motion) - slowest_recession * in.scales.length / in.scales.time;
     return;
   }
-  g[region_end] = geometry_->boundary(in.motion, memory.region) - touch_tolerance;
-  if (is_lifted(memory)) {
+  g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
+  if (lifted(in, memory)) {
     g[onset] = calc_regain(in, d);
     g[forget] = memory.permanent_set - d;
     calc_events_lifted(in, g);
@@ -56,27 +56,28 @@ void ContactElement::calc_events_lifted(const ForceInput& in, double* g) const {
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
   const double d = k.penetration, d_rate = rate(k, in.motion);
-  g[kink] = calc_kink(here, memory, d, d_rate);
+  g[kink] = calc_kink(in, d, d_rate);
   // One step may reach far below the end of the contact, where the law means nothing.
   const double end = std::max(d, memory.permanent_set);
   g[fullest] = here.evaluate({end, d_rate, memory}).dforce_dpenetration;
 }
 
 /// [m] positive where the contact has passed the corner of its law.
-double ContactElement::calc_kink(const ContactLaw& here, const ContactMemory& memory, double d,
-                                 double d_rate) const {
+double ContactElement::calc_kink(const ForceInput& in, double d, double d_rate) const {
+  const ContactMemory& memory = *in.contact;
+  const ContactLaw& here = law(memory.region);
   if (!here.dissipation.has_kink()) return -1.0;
   const double side = here.dissipation.kink({d, d_rate, memory}, here.elastic);
-  return (memory.past_kink ? -side : side) - touch_tolerance;
+  return (memory.past_kink ? -side : side) - touch(in);
 }
 
 /// [N] positive where a lifted contact presses again. Below the permanent set the continuation of
 /// the law means nothing; the contact has ended there.
 double ContactElement::calc_regain(const ForceInput& in, double penetration) const {
   const ContactMemory& memory = *in.contact;
-  if (!(penetration > memory.permanent_set)) return -1.0;
+  if (!(penetration > memory.permanent_set)) return -reference_force_;
   const double stiffness = law(memory.region).elastic.response(penetration).stiffness;
-  return calc_law(in, memory).force - stiffness * touch_tolerance;
+  return calc_law(in, memory).force - stiffness * touch(in);
 }
 
 void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) const {
@@ -87,28 +88,30 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
   const double d = k.penetration, d_rate = rate(k, in.motion);
 
   g[release] = memory.permanent_set - d;
-  g[kink] = calc_kink(here, memory, d, d_rate);
+  g[kink] = calc_kink(in, d, d_rate);
   if (here.dissipation.release() == Release::at_zero_force)
-    g[pull_off] = calc_pull_off(here, memory, d, d_rate);
+    g[pull_off] = calc_pull_off(in, d, d_rate);
   if (here.dissipation.needs_largest_penetration()) {
     if (memory.phase == ContactPhase::compressing)
       g[turn] = -d_rate;
     else
-      g[reload] = d - (memory.largest_penetration + touch_tolerance);
+      g[reload] = d - (memory.largest_penetration + touch(in));
   }
-  g[region_end] = geometry_->boundary(in.motion, memory.region) - touch_tolerance;
+  g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
   if (std::isfinite(limit_of(memory.region)))
     g[limit] = d - usable_share_of_limit * limit_of(memory.region);
 }
 
 /// -force where it counts. At d = 0 itself `release` is the sharper function, as a force may vanish
 /// there with zero slope; but a force that clearly pulls there has passed zero earlier in the step.
-double ContactElement::calc_pull_off(const ContactLaw& here, const ContactMemory& memory, double d,
-                                     double d_rate) const {
+double ContactElement::calc_pull_off(const ForceInput& in, double d, double d_rate) const {
+  const ContactMemory& memory = *in.contact;
+  const ContactLaw& here = law(memory.region);
+  const double margin = 2.0 * touch(in);
   const double force = here.evaluate({d, d_rate, memory}).force;
-  const double noise = here.elastic.response(d).stiffness * 2.0 * touch_tolerance;
-  const bool counts = d > memory.permanent_set + 2.0 * touch_tolerance || force < -noise;
-  return counts ? -force : -1.0;
+  const double noise = here.elastic.response(d).stiffness * margin;
+  const bool counts = d > memory.permanent_set + margin || force < -noise;
+  return counts ? -force : -reference_force_;
 }
 
 }  // namespace yoke

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include <yoke/contact/details/approach.hpp>
 #include <yoke/contact/details/contact_state.hpp>
 #include <yoke/core/error.hpp>
 
@@ -14,21 +15,33 @@ namespace yoke {
 
 namespace {
 
-/// [m/s^2] added to an acceleration before it is trusted: loads may change within a step.
+/// Added to an acceleration before it is trusted, in length scales per square of the time scale:
+/// loads may change within a step.
 constexpr double unforeseen_acceleration = 1.0;
-
-/// Does the rate carry the penetration through twice the band before the acceleration can turn it?
-bool leaves_band(double rate, double acceleration) {
-  const double strongest = std::abs(acceleration) + unforeseen_acceleration;
-  return rate * rate > 4.0 * touch_tolerance * strongest;
-}
+constexpr double smallest_margin = 1e-3;  // of the band, still above rounding
 
 }  // namespace
 
+/// Does the rate carry the penetration through twice the band before the acceleration can turn it?
+bool ContactElement::leaves_band(const ForceInput& in, const Approach& now) const {
+  const double time = in.scales.time;
+  const double unforeseen = unforeseen_acceleration * in.scales.length / (time * time);
+  const double strongest = std::abs(now.acceleration) + unforeseen;
+  return now.rate * now.rate > 4.0 * touch(in) * strongest;
+}
+
+/// [m] How far above `end` the next onset is, so that its function is negative now: a function that
+/// is zero would not be seen to cross it, and the whole flight may be one step.
+double ContactElement::margin(const ForceInput& in, const Approach& now, double end) const {
+  const double beyond = std::max(now.penetration - end, 0.0), band = touch(in);
+  if (!(now.rate < 0.0 && leaves_band(in, now))) return beyond + band;
+  return now.penetration < end ? 0.0 : beyond + smallest_margin * band;
+}
+
 /// The region whose formula counts: the one touched or remembered, else the nearest.
-int ContactElement::watched_region(const Motion& motion, const ContactMemory& memory) const {
-  const bool remembered = memory.phase != ContactPhase::apart || has_memory(memory);
-  return remembered ? memory.region : geometry_->nearest(motion);
+int ContactElement::watched_region(const ForceInput& in, const ContactMemory& memory) const {
+  const bool remembered = memory.phase != ContactPhase::apart || remembers(in, memory);
+  return remembered ? memory.region : geometry_->nearest(in.motion);
 }
 
 ContactElement::Approach ContactElement::calc_approach(const EventContext& context,
@@ -45,27 +58,28 @@ ContactElement::Approach ContactElement::calc_approach(const EventContext& conte
 }
 
 /// Does the memory of a snapshot still agree with where the bodies are?
-bool ContactElement::goes_on(const Motion& motion, const ContactMemory& memory) const {
+bool ContactElement::goes_on(const ForceInput& in, const ContactMemory& memory) const {
   const bool apart = memory.phase == ContactPhase::apart;
-  if (apart && !has_memory(memory)) return false;
-  const double end = apart && !is_lifted(memory) ? 0.0 : memory.permanent_set;
-  return geometry_->penetration(motion, memory.region) > end - touch_tolerance;
+  if (apart && !remembers(in, memory)) return false;
+  const double end = apart && !lifted(in, memory) ? 0.0 : memory.permanent_set;
+  return geometry_->penetration(in.motion, memory.region) > end - touch(in);
 }
 
 void ContactElement::initialise_contacts(EventContext& context) const {
   ContactMemory& memory = *context.contact;
-  if (goes_on(context.input.motion, memory)) return;
+  if (goes_on(context.input, memory)) return;
   memory = {};
   const int region = geometry_->nearest(context.input.motion);
   const Approach now = calc_approach(context, region);
-  if (now.penetration < -touch_tolerance) return;
-  const bool leaves = leaves_band(now.rate, now.acceleration);
-  if (now.penetration > touch_tolerance || (leaves && now.rate > 0.0)) {
+  if (now.penetration < -touch(context.input)) return;
+  const bool leaves = leaves_band(context.input, now);
+  if (now.penetration > touch(context.input) || (leaves && now.rate > 0.0)) {
     begin(context, region, now);
+    if (now.penetration > touch(context.input) && !context.at_rest) assume_approach(context, now);
     record(context, "onset", region, now);
     check_limit(context, region, now.penetration);
-  } else if (!leaves) {
-    memory.release_penetration = std::max(now.penetration, 0.0) + touch_tolerance;
+  } else {
+    memory.release_penetration = margin(context.input, now, 0.0);
   }
 }
 
@@ -87,10 +101,10 @@ void ContactElement::handle_event(int event, EventContext& context) const {
       if (context.contact->phase == ContactPhase::restituting) handle_reload(context);
       break;
     case forget:
-      if (apart && has_memory(*context.contact)) handle_forget(context);
+      if (apart && remembers(context.input, *context.contact)) handle_forget(context);
       break;
     case region_end:
-      if (!apart || has_memory(*context.contact)) handle_region_end(context);
+      if (!apart || remembers(context.input, *context.contact)) handle_region_end(context);
       break;
     case limit:
       if (!apart) {
@@ -99,7 +113,7 @@ void ContactElement::handle_event(int event, EventContext& context) const {
       }
       break;
     case kink:
-      if (!apart || is_lifted(*context.contact)) handle_kink(context);
+      if (!apart || lifted(context.input, *context.contact)) handle_kink(context);
       break;
     default:
       break;
@@ -108,14 +122,14 @@ void ContactElement::handle_event(int event, EventContext& context) const {
 
 void ContactElement::handle_onset(EventContext& context) const {
   ContactMemory& memory = *context.contact;
-  const int region = watched_region(context.input.motion, memory);
+  const int region = watched_region(context.input, memory);
   const Approach now = calc_approach(context, region);
-  const bool remembered = has_memory(memory);
-  if (!is_lifted(memory)) {
+  const bool remembered = remembers(context.input, memory);
+  if (!lifted(context.input, memory)) {
     const double threshold = remembered ? memory.permanent_set : 0.0;
-    const bool enters = now.rate > 0.0 && leaves_band(now.rate, now.acceleration);
-    if (!enters && now.penetration <= threshold + 0.5 * touch_tolerance) {
-      memory.release_penetration = std::max(now.penetration, threshold) + touch_tolerance;
+    const bool enters = now.rate > 0.0 && leaves_band(context.input, now);
+    if (!enters && now.penetration <= threshold + 0.5 * touch(context.input)) {
+      memory.release_penetration = std::max(now.penetration, threshold) + touch(context.input);
       return;
     }
   }
@@ -143,6 +157,21 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
     end_compression(memory, now.penetration);
 }
 
+/// A contact that is found within the wall: the impact that would have led there is assumed before
+/// it, or laws that divide by the approach velocity would damp it like glue.
+void ContactElement::assume_approach(EventContext& context, const Approach& now) const {
+  ContactMemory& memory = *context.contact;
+  const ContactLaw& here = law(memory.region);
+  if (now.penetration >= limit_of(memory.region)) return;
+  memory.approach_velocity = approach_velocity_to(here, memory, now.penetration, now.rate);
+  note_side_of_kink(memory, now);
+  if (context.note)
+    context.note(fmt::format(
+        "starts {:.4g} m deep in the wall at a rate of {:.4g} m/s; its approach velocity is taken "
+        "to be {:.4g} m/s, that of the impact which would have led there",
+        now.penetration, now.rate, memory.approach_velocity));
+}
+
 void ContactElement::note_side_of_kink(ContactMemory& memory, const Approach& now) const {
   const ContactLaw& here = law(memory.region);
   memory.past_kink = here.dissipation.has_kink() &&
@@ -156,20 +185,18 @@ void ContactElement::end_compression(ContactMemory& memory, double penetration) 
   memory.permanent_set = here.dissipation.permanent_set(memory, here.elastic);
 }
 
-void ContactElement::handle_release(EventContext& context, bool lifted) const {
+void ContactElement::handle_release(EventContext& context, bool pulled_off) const {
   ContactMemory& memory = *context.contact;
   const int region = memory.region;
   const Approach now = calc_approach(context, region);
   // Just after an onset the integrator's noise can take d below zero once more on its way in.
-  if (!lifted && now.rate > 0.0 && leaves_band(now.rate, now.acceleration)) return;
+  if (!pulled_off && now.rate > 0.0 && leaves_band(context.input, now)) return;
   const double let_go = memory.permanent_set;
   memory.phase = ContactPhase::apart;
-  if (lifted && now.penetration > let_go + 2.0 * touch_tolerance) {
+  if (pulled_off && now.penetration > let_go + 2.0 * touch(context.input)) {
     memory.release_penetration = now.penetration;
   } else {
-    const bool leaves = now.rate < 0.0 && leaves_band(now.rate, now.acceleration);
-    memory.release_penetration =
-        leaves ? let_go : std::max(now.penetration, let_go) + touch_tolerance;
+    memory.release_penetration = let_go + margin(context.input, now, let_go);
   }
   record(context, "release", region, now);
 }
@@ -184,7 +211,7 @@ void ContactElement::handle_turn(EventContext& context) const {
 void ContactElement::handle_reload(EventContext& context) const {
   ContactMemory& memory = *context.contact;
   const Approach now = calc_approach(context, memory.region);
-  if (now.rate > 0.0 && leaves_band(now.rate, now.acceleration)) {
+  if (now.rate > 0.0 && leaves_band(context.input, now)) {
     memory.phase = ContactPhase::compressing;
     record(context, "reload", memory.region, now);
   } else {
@@ -194,7 +221,7 @@ void ContactElement::handle_reload(EventContext& context) const {
 
 void ContactElement::handle_forget(EventContext& context) const {
   ContactMemory& memory = *context.contact;
-  if (is_lifted(memory) && memory.permanent_set > 2.0 * touch_tolerance) {
+  if (lifted(context.input, memory) && memory.permanent_set > 2.0 * touch(context.input)) {
     memory.release_penetration = memory.permanent_set;
     return;
   }
@@ -203,8 +230,7 @@ void ContactElement::handle_forget(EventContext& context) const {
   memory.region = region;
   // A rest of rounding must not leave the onset on the wrong side of zero.
   const Approach now = calc_approach(context, region);
-  if (!(now.rate < 0.0 && leaves_band(now.rate, now.acceleration)))
-    memory.release_penetration = std::max(now.penetration, 0.0) + touch_tolerance;
+  memory.release_penetration = margin(context.input, now, 0.0);
 }
 
 void ContactElement::handle_region_end(EventContext& context) const {

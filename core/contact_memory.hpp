@@ -15,7 +15,7 @@ struct ContactMemory {
   ContactPhase phase = ContactPhase::apart;
   int region = 0;                    // which part of the geometry is (or was last) touched
   double onset_time = 0.0;           // [s]
-  double approach_velocity = 0.0;    // [m/s] rate at the located onset
+  double approach_velocity = 0.0;    // [m/s] rate at the located onset, or of what led to the start
   double effective_mass = 0.0;       // [kg] along the normal at onset, 1/(n^T J A J^T n)
   double largest_penetration = 0.0;  // [m] at the last end of compression
   double permanent_set = 0.0;        // [m] residual indentation left by this contact

@@ -47,12 +47,21 @@ struct Energy {
   double supplied_power = 0.0;    // [W] work done on the mechanism per time by a load
 };
 
+/// Natural sizes of a model, from geometry and the start state. Independent of where the origin is
+/// and of how often anything has turned: error weights and tolerances are built from these.
+struct Scales {
+  double length = 1.0;  // [m]
+  double time = 1.0;    // [s]
+};
+
 /// What a force element may read.
 struct ForceInput {
   const Motion& motion;
   const double* z = nullptr;               // [states()]
   const double* parameters = nullptr;      // [parameters().size()]
   const ContactMemory* contact = nullptr;  // [contacts()]
+  Scales scales{};                         // of the model: what is small beside them
+  double rounding = 0.0;                   // [m] of the model's coordinates, a few last places
 };
 
 /// The blocks that evaluate() computes; null pointers are skipped. Blocks are row-major and zero on
@@ -94,6 +103,8 @@ struct EventContext {
   std::function<void(EventRecord)> record{};  // t and element are filled in
   std::function<void(std::string)> fail{};    // stops the run with this reason
   std::function<void()> stop{};               // ends the run here with Stop::by_event
+  std::function<void(std::string)> note{};    // into the notes of the summary, with the element
+  bool at_rest = false;  // only forces without motion are wanted, many times: no need to know more
   /// A changeable parameter "element.name" of any element. Throws ModelError. A jump of energy that
   /// its change makes is counted as work of this element, if it supplies().
   std::function<double&(std::string_view)> parameter{};

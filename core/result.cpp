@@ -10,8 +10,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
 
 #include <yoke/core/error.hpp>
 
@@ -19,60 +20,73 @@ namespace yoke {
 
 namespace {
 
-/// A file that keeps whole lines only: what does not fit on the disk is cut at the last line end.
-class LineWriter {
+/// A file that is there whole or not at all: it is written beside its place and takes it once it is
+/// closed. What is no file, as a pipe or a device, is written to directly.
+class OutputFile {
  public:
-  explicit LineWriter(std::filesystem::path path)
-      : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w"), &std::fclose) {
-    if (!file_) fail();
+  explicit OutputFile(const std::filesystem::path& path) : path_(path), target_(path) {
+    std::error_code unknown;
+    if (std::filesystem::is_symlink(path, unknown))
+      target_ = std::filesystem::weakly_canonical(path, unknown);
+    const bool other = std::filesystem::exists(target_, unknown) &&
+                       !std::filesystem::is_regular_file(target_, unknown);
+    written_ = target_;
+    if (!other) written_ += ".part";
+    file_ = std::fopen(written_.c_str(), "w");
+    if (file_ == nullptr) fail(errno);
     buffer_.reserve(1 << 16);
   }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    discard();
+  }
+
   void line(std::string_view text) {
     buffer_.append(text);
     buffer_.push_back('\n');
     if (buffer_.size() > (1 << 15)) flush();
   }
-  void flush() {
-    const std::size_t done = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
-    if (done != buffer_.size() || std::fflush(file_.get()) != 0) cut_and_fail();
-    written_ += static_cast<off_t>(buffer_.size());
-    buffer_.clear();
+  /// The file takes its place.
+  void finish() {
+    flush();
+    // Some file systems tell only here that there is no room.
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(errno);
+    std::error_code error;
+    if (written_ != target_) std::filesystem::rename(written_, target_, error);
+    if (error) fail(error.value());
+    finished_ = true;
   }
 
  private:
-  [[noreturn]] void fail() const {
-    throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  void flush() {
+    const std::size_t done = std::fwrite(buffer_.data(), 1, buffer_.size(), file_);
+    if (done != buffer_.size() || std::fflush(file_) != 0) fail(errno);
+    buffer_.clear();
   }
-  [[noreturn]] void cut_and_fail() {
-    const int error = errno;
-    // Lines of this block that reached the disk are kept, the torn one is cut off.
+  [[noreturn]] void fail(int error) {
+    if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
+    discard();
+    throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(error)));
+  }
+  void discard() {
     std::error_code unknown;
-    const bool is_file = std::filesystem::is_regular_file(path_, unknown);
-    std::FILE* readable = is_file ? std::fopen(path_.c_str(), "r") : nullptr;
-    off_t whole = written_;
-    if (readable != nullptr) {
-      std::fseek(readable, written_, SEEK_SET);
-      off_t position = written_;
-      for (int c = std::fgetc(readable); c != EOF; c = std::fgetc(readable)) {
-        ++position;
-        if (c == '\n') whole = position;
-      }
-      std::fclose(readable);
-    }
-    [[maybe_unused]] const int cut = ::ftruncate(fileno(file_.get()), whole);
-    errno = error;
-    fail();
+    if (!finished_ && written_ != target_) std::filesystem::remove(written_, unknown);
+    finished_ = true;
   }
 
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::filesystem::path path_, target_, written_;
+  std::FILE* file_ = nullptr;
   std::string buffer_;
-  off_t written_ = 0;
+  bool finished_ = false;
 };
 
 nlohmann::json number(double x) {
   return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
 }
+
+nlohmann::json larger(double a, double b) { return number(std::max(a, b)); }
 
 }  // namespace
 
@@ -145,7 +159,7 @@ std::string Table::text(std::size_t row, std::size_t column) const {
 }
 
 void Table::write_csv(const std::filesystem::path& path) const {
-  LineWriter file(path);
+  OutputFile file(path);
   file.line(fmt::format("{}", fmt::join(names_, ",")));
   fmt::memory_buffer line;
   for (std::size_t i = 0; i < rows_; ++i) {
@@ -160,7 +174,7 @@ void Table::write_csv(const std::filesystem::path& path) const {
     }
     file.line({line.data(), line.size()});
   }
-  file.flush();
+  file.finish();
 }
 
 void make_output_folder(const std::filesystem::path& folder) {
@@ -175,18 +189,18 @@ void make_output_folder(const std::filesystem::path& folder) {
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
-  LineWriter file(path);
+  OutputFile file(path);
   file.line(text);
-  file.flush();
+  file.finish();
 }
 
 void write_events(const std::vector<EventRecord>& events, const std::filesystem::path& path) {
-  LineWriter file(path);
+  OutputFile file(path);
   file.line("t_s,kind,region,speed_m_per_s,penetration_m,element");
   for (const EventRecord& e : events)
     file.line(fmt::format("{:.17g},{},{},{:.17g},{:.17g},{}", e.t, e.kind, e.region, e.speed,
                           e.penetration, e.element));
-  file.flush();
+  file.finish();
 }
 
 std::string to_json(const Summary& s) {
@@ -219,16 +233,27 @@ std::string to_json(const Summary& s) {
       {"factorisations", s.refactorisations + s.fresh_factorisations},
       {"events", s.events},
       {"last_step_s", s.last_step},
-      {"position_violation_m_or_rad", number(s.position_violation)},
-      {"velocity_violation_m_per_s_or_rad_per_s", number(s.velocity_violation)},
-      {"position_drift_m_or_rad", number(s.position_drift)},
-      {"velocity_drift_m_per_s_or_rad_per_s", number(s.velocity_drift)},
+      {"position_violation_m", number(s.position_violation)},
+      {"angle_violation_rad", number(s.angle_violation)},
+      {"velocity_violation_m_per_s", number(s.velocity_violation)},
+      {"angular_velocity_violation_rad_per_s", number(s.angular_velocity_violation)},
+      {"position_drift_m", number(s.position_drift)},
+      {"angle_drift_rad", number(s.angle_drift)},
+      {"velocity_drift_m_per_s", number(s.velocity_drift)},
+      {"angular_velocity_drift_rad_per_s", number(s.angular_velocity_drift)},
+      // Before 0.2 one figure each, of metres and radians mixed: the larger of the two.
+      {"position_violation_m_or_rad", larger(s.position_violation, s.angle_violation)},
+      {"velocity_violation_m_per_s_or_rad_per_s",
+       larger(s.velocity_violation, s.angular_velocity_violation)},
+      {"position_drift_m_or_rad", larger(s.position_drift, s.angle_drift)},
+      {"velocity_drift_m_per_s_or_rad_per_s", larger(s.velocity_drift, s.angular_velocity_drift)},
       {"energy_balance_J", number(s.energy_balance)},
       {"energy_exchanged_J", number(s.energy_exchanged)},
       {"degrees_of_freedom", s.degrees_of_freedom},
       {"redundant_equations", s.redundant_equations},
       {"not_unique_reactions", s.not_unique_reactions},
       {"singular_positions", singular},
+      {"notes", s.notes},
       {"wall_time_s", s.wall_time},
   };
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -44,8 +44,8 @@ class Table {
   /// Text of a labelled cell, the number with 17 significant digits otherwise.
   std::string text(std::size_t row, std::size_t column) const;
 
-  /// Comma-separated values with one header line. If the disk fills up, the file keeps whole rows
-  /// and OutputError names it.
+  /// Comma-separated values with one header line. Throws OutputError naming the path; then what
+  /// was there before stays.
   void write_csv(const std::filesystem::path& path) const;
 
  private:
@@ -87,18 +87,26 @@ struct Summary {
   long refactorisations = 0;       // numeric only
   long fresh_factorisations = 0;   // with new pivots
   long events = 0;
-  double last_step = 0.0;           // [s]
-  double position_violation = 0.0;  // worst at samples and events, after projection [m or rad]
-  double velocity_violation = 0.0;  // [m/s or rad/s]
-  double position_drift = 0.0;      // the same before projection
-  double velocity_drift = 0.0;
-  double energy_balance = 0.0;    // [J] worst |T + V + stored + dissipated - work - initial|
-  double energy_exchanged = 0.0;  // [J] largest of energy moved between forms, for scale
-  double wall_time = 0.0;         // [s]
-  int degrees_of_freedom = 0;     // 3 bodies minus the rank of the constraints
+  double last_step = 0.0;  // [s]
+  // Worst violations of the constraints at samples and events after projection: of equations that
+  // are measured in lengths, and of those measured in angles.
+  double position_violation = 0.0;          // [m]
+  double angle_violation = 0.0;             // [rad]
+  double velocity_violation = 0.0;          // [m/s]
+  double angular_velocity_violation = 0.0;  // [rad/s]
+  // The same before projection.
+  double position_drift = 0.0;          // [m]
+  double angle_drift = 0.0;             // [rad]
+  double velocity_drift = 0.0;          // [m/s]
+  double angular_velocity_drift = 0.0;  // [rad/s]
+  double energy_balance = 0.0;          // [J] worst |T + V + stored + dissipated - work - initial|
+  double energy_exchanged = 0.0;        // [J] largest of energy moved between forms, for scale
+  double wall_time = 0.0;               // [s]
+  int degrees_of_freedom = 0;           // 3 bodies minus the rank of the constraints
   std::vector<std::string> redundant_equations{};   // left out: they follow from others
   std::vector<std::string> not_unique_reactions{};  // columns that are one possibility of many
   std::vector<SingularPosition> singular_positions{};
+  std::vector<std::string> notes{};  // what was assumed, a sentence each
 
   /// Completed, or ended by an event.
   bool ok() const { return stop == Stop::completed || stop == Stop::by_event; }
@@ -123,7 +131,8 @@ void write_events(const std::vector<EventRecord>& events, const std::filesystem:
 std::string to_json(const Summary& summary);
 /// Makes a folder for results, or throws OutputError naming it and the reason.
 void make_output_folder(const std::filesystem::path& folder);
-/// Writes a text file; throws OutputError.
+/// Writes a text file whole or not at all: what was there before stays until the new one is on the
+/// disk. Throws OutputError naming the path.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace yoke

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/simulate.hpp>
 
+#include <chrono>
 #include <cmath>
 
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
@@ -45,6 +46,7 @@ class Run {
   void start_anew();
   bool reach_checkpoint(double t);
   void write_checkpoint();
+  void write_first_checkpoint();
   bool advance();
   bool observe(double t);
   void record_samples_up_to(double t);
@@ -85,7 +87,7 @@ Run::Run(const Model& model, const State& state, const SimulationOptions& option
       sample_(state),
       checkpoints_(options, t_start),
       locator_(dynamics_.system()),
-      elements_(dynamics_, state_, result_.events,
+      elements_(dynamics_, state_, result_,
                 [this](Stop why, std::string reason) { stop(why, std::move(reason)); }) {}
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
@@ -158,7 +160,7 @@ bool Run::initialise() {
   formulation_->start(state_);
   samples_->record_restart(state_);
   standstill_.start(state_.t, {.start = state_.t});
-  if (checkpoints_.wanted()) write_checkpoint();
+  if (checkpoints_.wanted()) write_first_checkpoint();
   return true;
 }
 
@@ -193,6 +195,16 @@ void Run::write_checkpoint() {
                       .window_events = standstill_.window().events},
                      result_);
   start_anew();
+}
+
+// It tells what the others will cost.
+void Run::write_first_checkpoint() {
+  const auto begin = std::chrono::steady_clock::now();
+  write_checkpoint();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const std::string cost =
+      checkpoint_cost(options_.checkpoints.every, options_.until - t_start_, taken.count());
+  if (options_.warning && !cost.empty()) options_.warning(cost);
 }
 
 void Run::record_singular_position(const SingularPosition& position) {

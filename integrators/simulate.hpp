@@ -25,7 +25,8 @@ struct Progress {
 
 /// Where and when a run writes checkpoints: at simulated times or events, never by wall-clock time.
 /// At each checkpoint the run restarts its integrator, so a resumed run gives the same bits as an
-/// uninterrupted one. The schedule is therefore part of the result.
+/// uninterrupted one. The schedule is therefore part of the result. More than a million by time are
+/// refused; a schedule that would take long to write is warned of, see SimulationOptions::warning.
 struct Checkpoints {
   std::filesystem::path folder{};  // needs a schedule, and a schedule needs it; empty: none
   double every = 0.0;              // [s] simulated time from one to the next; 0: not by time
@@ -47,6 +48,9 @@ struct SimulationOptions {
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
   std::function<bool(const Progress&)> observer{};
+  /// Called with what a user should know before the run goes on, a sentence each: so far that the
+  /// checkpoints will take long to write.
+  std::function<void(const std::string&)> warning{};
 };
 
 /// Integrates `model` from its start pose (assembled first) or from `start`.

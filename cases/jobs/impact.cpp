@@ -24,6 +24,8 @@ namespace {
 constexpr double gap_share = 0.01;      // of the largest penetration: free flight before the touch
 constexpr double patience = 1e4;        // durations of an elastic impact
 constexpr double resolved_share = 0.1;  // a rebound may have a tenth of the speed
+constexpr double least_share =
+    1e-7;  // of the largest penetration: a surface that has still to relax
 constexpr const char* contact = "contact";
 
 /// A point of body a on a face across the x axis, at x = `face` of body b, which does not turn:
@@ -140,11 +142,9 @@ struct GaugeDescription {
   }
 };
 
-// A contact turns within touch_tolerance of the surface; an impact this much deeper does not feel
-// it: its restitution is wrong by (100)^-5/2 or so.
-constexpr double least_depth = 100.0 * touch_tolerance;  // [m]
-constexpr double greatest_depth = 1e3;                   // [m]
-constexpr double speed_of_light = 299792458.0;           // [m/s]
+constexpr double least_depth = 1e-9;            // [m] the distance of a few atoms
+constexpr double greatest_depth = 1e3;          // [m]
+constexpr double speed_of_light = 299792458.0;  // [m/s]
 
 /// Largest penetration without dissipation: U(d) = m v^2/2. At most the limit of the law.
 double elastic_penetration(const Impact& impact) {
@@ -396,7 +396,7 @@ ImpactOutcome simulate_impact(const Impact& impact) {
   // A contact let go before the penetration is zero: the surface relaxes, and what it still stored
   // is dissipated. The law may press once more on the way.
   State last = run.final;
-  if (release.penetration > outcome.permanent_set + 2.0 * touch_tolerance) {
+  if (release.penetration > outcome.permanent_set + least_share * depth) {
     SimulationOptions rest = options;
     rest.observer = nullptr;
     rest.until = last.t + 2.0 * release.penetration / -release.speed;

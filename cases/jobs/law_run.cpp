@@ -2,6 +2,9 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/cases/jobs/law_run.hpp>
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -106,6 +109,10 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   SimulationOptions options =
       simulation_options(request, c.duration(request.parameters), samples, request.output);
   options.observer = std::move(observer);
+  options.warning = [&law](const std::string& text) {
+    fmt::print(stderr, "{}{}{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", law,
+               law.empty() ? "" : ": ", text);
+  };
   Result result = simulate(model, options);
   if (request.verify && result.summary.ok()) {
     options.observer = [](const Progress&) { return !interrupted(); };

@@ -31,7 +31,9 @@ std::string summary_json(const Case& c, const RunRequest& request, const LawRun&
                              {"largest_penetration_m", r.largest_penetration}};
   }
   json["worst_constraint_violation_m"] = run.summary.position_violation;
+  json["worst_constraint_violation_rad"] = run.summary.angle_violation;
   json["worst_constraint_violation_m_per_s"] = run.summary.velocity_violation;
+  json["worst_constraint_violation_rad_per_s"] = run.summary.angular_velocity_violation;
   return json.dump(2);
 }
 
@@ -61,21 +63,24 @@ void print_verification(const std::string& name, const Verification& v) {
 void print_table(const std::vector<LawRun>& runs) {
   std::size_t width = 28;
   for (const LawRun& run : runs) width = std::max(width, label(run).size());
-  fmt::print("{:<{}} {:>10} {:>12} {:>9} {:>8} {:>8} {:>10} {:>10} {:>7}\n", "law", width, "peak N",
-             "deepest um", "contacts", "steps", "rejected", "energy J", "violation", "time s");
+  fmt::print("{:<{}} {:>10} {:>12} {:>9} {:>8} {:>8} {:>10} {:>10} {:>10} {:>7}\n", "law", width,
+             "peak N", "deepest um", "contacts", "steps", "rejected", "energy J", "off by m",
+             "off by rad", "time s");
   for (const LawRun& run : runs) {
     if (!run.done) continue;
     const Summary& s = run.summary;
-    fmt::print("{:<{}} {:>10.1f} {:>12.3f} {:>9} {:>8} {:>8} {:>10.1e} {:>10.1e} {:>7.2f}\n",
-               label(run), width, run.peak_force(), 1e6 * run.largest_penetration(), run.onsets(),
-               s.steps, s.rejected, s.energy_balance, s.position_violation, s.wall_time);
+    fmt::print(
+        "{:<{}} {:>10.1f} {:>12.3f} {:>9} {:>8} {:>8} {:>10.1e} {:>10.1e} {:>10.1e} {:>7.2f}\n",
+        label(run), width, run.peak_force(), 1e6 * run.largest_penetration(), run.onsets(), s.steps,
+        s.rejected, s.energy_balance, s.position_violation, s.angle_violation, s.wall_time);
   }
 }
 
 void print_summary(const Summary& s) {
   fmt::print("{}: {:g} of {:g} s in {} steps, energy balance {:.2g} J of {:.3g} J exchanged\n",
              s.reason, s.t_end, s.t_asked, s.steps, s.energy_balance, s.energy_exchanged);
-  fmt::print("degrees of freedom: {}\n", s.degrees_of_freedom);
+  fmt::print("degrees of freedom: {}, constraints violated by at most {:.1e} m and {:.1e} rad\n",
+             s.degrees_of_freedom, s.position_violation, s.angle_violation);
 }
 
 /// What every user should know of the mechanism; the same under every law but for the times.
@@ -88,6 +93,7 @@ void print_findings(const Summary& s, const std::string& who) {
   for (const SingularPosition& p : s.singular_positions)
     fmt::print("{}singular position at t = {:.9g} s ('{}'), energy changed by {:.1e} J\n", who, p.t,
                p.equation, p.energy_after - p.energy_before);
+  for (const std::string& note : s.notes) fmt::print("{}note: {}\n", who, note);
 }
 
 }  // namespace
@@ -95,7 +101,7 @@ void print_findings(const Summary& s, const std::string& who) {
 void write_run(const Case& c, const RunRequest& request, const LawRun& run,
                const std::filesystem::path& folder) {
   make_output_folder(folder);
-  // The small files first: on a full disk they say how far the large one should have got.
+  // The small files first: on a full disk they say what the large one would have held.
   write_text(folder / "summary.json", summary_json(c, request, run));
   write_events(run.events, folder / "events.csv");
   run.motion().every(run.stride).write_csv(folder / "motion.csv");
@@ -123,7 +129,7 @@ void print_report(const std::vector<LawRun>& runs) {
 void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path) {
   std::string text =
       "law,stop,t_end_s,peak_force_N,largest_penetration_m,contacts,steps,rejected,"
-      "energy_balance_J,position_violation,wall_time_s";
+      "energy_balance_J,position_violation,angle_violation,wall_time_s";
   std::vector<std::string> elements;
   for (const LawRun& run : runs)
     if (elements.empty())
@@ -134,12 +140,13 @@ void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::pa
   for (const LawRun& run : runs) {
     if (!run.done) continue;
     const Summary& s = run.summary;
-    text += fmt::format("\n\"{}\",{},{},{},{},{},{},{},{},{},{:.3f}", run.law,
+    text += fmt::format("\n\"{}\",{},{},{},{},{},{},{},{},{},{},{:.3f}", run.law,
                         s.ok()                        ? "completed"
                         : s.stop == Stop::interrupted ? "interrupted"
                                                       : "failed",
                         s.t_end, run.peak_force(), run.largest_penetration(), run.onsets(), s.steps,
-                        s.rejected, s.energy_balance, s.position_violation, s.wall_time);
+                        s.rejected, s.energy_balance, s.position_violation, s.angle_violation,
+                        s.wall_time);
     if (elements.size() > 1)
       for (const ContactRecord& r : run.contacts)
         text += fmt::format(",{},{},{}", r.peak_force, r.largest_penetration, r.onsets);

@@ -13,6 +13,7 @@
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
+#include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
@@ -150,6 +151,10 @@ void visit_options(Options& o, Visit&& visit) {
   visit("spectral_radius", o.spectral_radius);
 }
 
+/// Options that came after run.json was first written: a file without them is an older one, of a
+/// run with their defaults.
+bool added_later(std::string_view option) { return option == "spectral_radius"; }
+
 }  // namespace
 
 void save_options(const RequestOptions& options, const std::filesystem::path& folder) {
@@ -168,7 +173,9 @@ RequestOptions load_options(const std::filesystem::path& folder) {
   RequestOptions options;
   try {
     const nlohmann::json json = nlohmann::json::parse(file);
-    visit_options(options, [&](const char* name, auto& value) { json.at(name).get_to(value); });
+    visit_options(options, [&](const char* name, auto& value) {
+      if (!added_later(name) || json.contains(name)) json.at(name).get_to(value);
+    });
   } catch (const nlohmann::json::exception& error) {
     throw ModelError(fmt::format("'{}' is damaged: {}", path.string(), error.what()));
   }
@@ -185,7 +192,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
   const Parameters parameters(c.parameters, o.settings);
   const std::vector<std::string> laws = choose_laws(c, o.laws);
   for (const std::string& law : laws) make_laws(c.contact, parameters, law);  // says what is wrong
-  c.duration(parameters);
+  check_checkpoint_interval(checked_interval(o.checkpoint), c.duration(parameters));
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return {.parameters = parameters,
           .laws = laws,

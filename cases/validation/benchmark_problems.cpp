@@ -391,8 +391,8 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::string& formul
   r.finer_error = benchmark.finer_error ? benchmark.finer_error(run) : r.errors.position;
   if (benchmark.period_error) r.period_error = benchmark.period_error(run);
   r.energy = s.energy_exchanged > 0.0 ? s.energy_balance / s.energy_exchanged : 0.0;
-  r.position_drift = s.position_drift;
-  r.velocity_drift = s.velocity_drift;
+  r.position_drift = std::max(s.position_drift, s.angle_drift);
+  r.velocity_drift = std::max(s.velocity_drift, s.angular_velocity_drift);
   r.steps = s.steps;
   r.evaluations = count - s.recording_evaluations;
   r.jacobians = s.jacobians;

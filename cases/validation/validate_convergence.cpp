@@ -69,7 +69,8 @@ void print_convergence(Document& doc, const Bench& b, const Result& reference,
     doc.row({fmt::format("{:.0e}", rtol), number(x), order(x, last_x, 10.0), number(v),
              order(v, last_v, 10.0), std::to_string(r.events.size()), std::to_string(s.steps),
              number(s.energy_balance), number(s.energy_balance / s.energy_exchanged),
-             number(s.position_drift), number(s.position_violation)});
+             number(std::max(s.position_drift, s.angle_drift)),
+             number(std::max(s.position_violation, s.angle_violation))});
     if (first_x == 0.0) {
       first_x = x;
       first_v = v;

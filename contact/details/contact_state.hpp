@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// What the files of the contact element share: vectors over the coordinates of its two bodies, and
-// how a memory is read.
+// What the files of the contact element share: vectors over the coordinates of its two bodies.
 #pragma once
 
 #include <array>
@@ -31,15 +30,6 @@ inline ContactRow times(const std::array<double, columns * columns>& matrix, con
   for (std::size_t i = 0; i < columns; ++i)
     for (std::size_t j = 0; j < columns; ++j) product[i] += matrix[i * columns + j] * v[j];
   return product;
-}
-
-// The two kinds of "apart" with a memory; margins keep a put-off onset from being taken for them.
-inline bool has_memory(const ContactMemory& m) {
-  return m.release_penetration > 2.0 * touch_tolerance;
-}
-inline bool is_lifted(const ContactMemory& m) {
-  return m.phase == ContactPhase::apart &&
-         m.release_penetration > m.permanent_set + 2.0 * touch_tolerance;
 }
 
 }  // namespace yoke

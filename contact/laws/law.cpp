@@ -6,17 +6,22 @@
 
 namespace yoke {
 
+namespace {
+constexpr double shallowest = 1e-100, deepest = 1e100;  // [m] beyond any unit
+}  // namespace
+
 double ElasticLaw::penetration_at(double force) const {
-  double low = 1e-15, high = std::min(limit_, 1e3);
+  double low = shallowest, high = std::min(limit_, deepest);
   if (!(force > response(low).force)) return low;
   if (!(response(high).force > force)) return high;
-  // Forces span many decades, so the bisection halves the ratio, not the difference.
-  while (high / low > 1.0 + 1e-14) {
-    const double middle = std::sqrt(low * high);
-    if (middle <= low || middle >= high) break;
+  // Forces span many decades, so the bisection halves the ratio, not the difference; to the last
+  // bit, so that where it began is not seen in where it ends.
+  while (true) {
+    double middle = std::sqrt(low) * std::sqrt(high);
+    if (!(middle > low && middle < high)) middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high)) return low;
     (response(middle).force > force ? high : low) = middle;
   }
-  return low;
 }
 
 std::string ContactLaw::name() const {

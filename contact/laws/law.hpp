@@ -62,7 +62,7 @@ class ElasticLaw {
   std::string name() const { return function_->name(); }
 
   /// Inverse of the law: the penetration [m] under `force` [N] >= 0; the limit, or the largest
-  /// penetration tried (1 km), if the law does not reach that force.
+  /// penetration tried (1e100 m), if the law does not reach that force.
   double penetration_at(double force) const;
 
  private:

@@ -14,6 +14,7 @@
 //   [ G  0   ] [ .  ] = [ -(G v + Phi_t) ]
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,13 @@ struct Outcome {
 struct Baumgarte {
   double alpha = 0.0;  // [1/s]
   double beta = 0.0;   // [1/s]
+};
+
+/// How far equations are violated: those measured in lengths and those measured in angles.
+struct Violation {
+  double length = 0.0;  // [m] or [m/s]
+  double angle = 0.0;   // [rad] or [rad/s]
+  double largest() const { return std::max(length, angle); }
 };
 
 /// How much of a violation a projection corrects.
@@ -113,10 +121,9 @@ class Dynamics {
     return system_.reaction(constraint, lambda);
   }
 
-  /// Largest violation of the equations measured in lengths [m] and angles [rad] together,
-  /// unscaled.
-  double position_violation(const State& state);
-  double velocity_violation(const State& state);
+  /// Largest violations [m, rad] and [m/s, rad/s], those of left-out equations included.
+  Violation position_violation(const State& state);
+  Violation velocity_violation(const State& state);
 
   int worst_row() const { return worst_row_; }
   /// Of the last projection [m or rad], or of position_violation() [length scales or rad].
@@ -140,6 +147,7 @@ class Dynamics {
   bool improve_position(double* q);
   bool improve_velocity(double* v);
   bool same_as_factorised(double t, const double* q) const;
+  Violation largest_of(const std::vector<double>& residual) const;
   Outcome assemble_from_afar(State& state);
   Outcome settle_redundancy(State& state);
   Outcome finish_assembly(State& state);

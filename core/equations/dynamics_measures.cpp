@@ -72,24 +72,29 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
   return mobility > 0.0 ? 1.0 / mobility : std::numeric_limits<double>::infinity();
 }
 
-double Dynamics::position_violation(const State& state) {
-  system_.set_motion(state.t, state.q.data(), state.v.data());
-  system_.calc_position_level(phi_.data());
-  double worst = 0.0;
-  for (const double r : phi_) worst = std::max(worst, std::abs(r));
-  worst_residual_ = system_.norm(phi_.data(), &worst_row_);
-  factorised_ = false;  // G changed under the factors
+Violation Dynamics::largest_of(const std::vector<double>& residual) const {
+  Violation worst;
+  for (int i = 0; i < system_.rows(); ++i) {
+    double& figure = system_.measure(i) == Measure::length ? worst.length : worst.angle;
+    figure = std::max(figure, std::abs(residual[at(i)]));
+  }
   return worst;
 }
 
-double Dynamics::velocity_violation(const State& state) {
+Violation Dynamics::position_violation(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.calc_position_level(phi_.data());
+  worst_residual_ = system_.norm(phi_.data(), &worst_row_);
+  factorised_ = false;  // G changed under the factors
+  return largest_of(phi_);
+}
+
+Violation Dynamics::velocity_violation(const State& state) {
   system_.set_motion(state.t, state.q.data(), state.v.data());
   system_.calc_position_level(phi_.data());
   system_.calc_velocity_residual(residual_.data());
-  double worst = 0.0;
-  for (const double r : residual_) worst = std::max(worst, std::abs(r));
   factorised_ = false;
-  return worst;
+  return largest_of(residual_);
 }
 
 }  // namespace yoke

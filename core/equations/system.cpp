@@ -15,6 +15,7 @@ System::System(const Model& model) : model_(model) {
   lay_out_constraints();
   lay_out_forces();
   scales_.length = natural_length();
+  rounding_ = rounding_of_coordinates();
 }
 
 void System::lay_out_bodies() {
@@ -98,7 +99,16 @@ double System::natural_length() const {
     spread += (bodies[i].pose.position - centre).squaredNorm() / count;
     gyration = std::max(gyration, std::sqrt(bodies[i].inertia / bodies[i].mass));
   }
-  return std::max({std::sqrt(spread), gyration, 1e-12});
+  const double length = std::max(std::sqrt(spread), gyration);
+  return length > 0.0 ? length : 1.0;  // a point mass alone has no size
+}
+
+/// A few units in the last place of the largest coordinate.
+double System::rounding_of_coordinates() const {
+  double largest = 0.0;
+  for (const Body& body : model_.bodies())
+    largest = std::max(largest, body.pose.position.lpNorm<Eigen::Infinity>());
+  return 8.0 * machine_epsilon * largest;
 }
 
 std::string System::equation_name(int row) const {
@@ -156,7 +166,9 @@ ForceInput System::force_input(const ForceSlot& slot) const {
   return {.motion = motion_,
           .z = z_ + slot.z,
           .parameters = parameters_ + slot.parameters,
-          .contact = contacts_ + slot.contacts};
+          .contact = contacts_ + slot.contacts,
+          .scales = scales_,
+          .rounding = rounding_};
 }
 
 void System::calc_position_level(double* phi) {

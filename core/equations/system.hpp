@@ -14,13 +14,6 @@
 
 namespace yoke {
 
-/// Natural sizes of a model, from geometry and the start state. Independent of where the origin is
-/// and of how often anything has turned: error weights and tolerances are built from these.
-struct Scales {
-  double length = 1.0;  // [m]
-  double time = 1.0;    // [s]
-};
-
 /// Force a joint exerts on its reaction_body() (the last of its bodies, unless it says otherwise),
 /// at the joint, in global axes.
 struct Reaction {
@@ -139,6 +132,7 @@ class System {
   double natural_length() const;
 
  private:
+  double rounding_of_coordinates() const;
   void lay_out_bodies();
   void lay_out_constraints();
   void lay_out_forces();
@@ -162,6 +156,7 @@ class System {
   const double* parameters_ = nullptr;
   const ContactMemory* contacts_ = nullptr;
   Scales scales_;
+  double rounding_ = 0.0;  // [m] of the coordinates in the start pose
   std::string not_finite_;
 };
 

@@ -79,8 +79,7 @@ Result along_drivers(const Model& model, const InverseDynamicsOptions& options) 
   if (ok) summary.reason = "reached the end time";
   summary.steps = motion.steps();
   summary.evaluations = motion.dynamics().evaluations();
-  summary.position_violation = table.summary().position_violation;
-  summary.velocity_violation = table.summary().velocity_violation;
+  copy_violations(table.summary(), summary);
   summary.energy_balance = table.summary().energy_balance;
   summary.energy_exchanged = table.summary().energy_exchanged;
   return result;
@@ -134,8 +133,7 @@ class GivenMotion {
   Result finish() {
     result_.summary.stop = Stop::completed;
     result_.summary.reason = "reached the end of the motion";
-    result_.summary.position_violation = table_.summary().position_violation;
-    result_.summary.velocity_violation = table_.summary().velocity_violation;
+    copy_violations(table_.summary(), result_.summary);
     return std::move(result_);
   }
 

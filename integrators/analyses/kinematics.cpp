@@ -63,10 +63,7 @@ Result kinematics(const Model& model, const KinematicsOptions& options) {
     if (!ok && state.t <= summary.t_end && i > 0) break;  // that row is there already
     record(state, watch.last(), result.samples);
     summary.t_end = state.t;
-    summary.position_violation =
-        std::max(summary.position_violation, motion.dynamics().position_violation(state));
-    summary.velocity_violation =
-        std::max(summary.velocity_violation, motion.dynamics().velocity_violation(state));
+    note_violation(motion.dynamics(), state, summary);
   }
   watch.finish();
   summary.singular_positions = watch.found();

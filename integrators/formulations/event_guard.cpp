@@ -2,9 +2,21 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/formulations/event_guard.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace yoke {
+
+namespace {
+
+/// What stands for a function that must not fire: negative and of its own size, so that a root
+/// finder which remembers it from the step before knows nothing of units.
+double hidden(double value) {
+  return -std::max(std::abs(value), std::numeric_limits<double>::min());
+}
+
+}  // namespace
 
 EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   const auto count = static_cast<std::size_t>(dynamics.system().events());
@@ -45,7 +57,7 @@ bool EventGuard::evaluate(double t, const double* q, const double* v, const doub
       dynamics_.system().blame_event(static_cast<int>(i));
       return false;
     }
-    g[i] = armed_[i] == 0 ? -1.0 : seen_[i];
+    g[i] = armed_[i] == 0 ? hidden(seen_[i]) : seen_[i];
   }
   return true;
 }

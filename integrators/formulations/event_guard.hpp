@@ -2,8 +2,8 @@
 // Copyright 2026 the Yoke authors
 //
 // Event functions as a root finder should see them. A function fires when it crosses zero upwards;
-// one that is zero or positive at a restart (the event just handled, a contact at rest) is hidden
-// behind the value -1 until it has been negative, so that it neither fires again at once nor stops
+// one that is zero or positive at a restart (the event just handled, a contact at rest) is shown
+// with a negative sign until it has been negative, so that it neither fires again at once nor stops
 // SUNDIALS, which refuses a function that stays at zero.
 #pragma once
 

@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -75,9 +75,13 @@ void visit_summary(S& s, Visit&& visit) {
   visit("fresh_factorisations", s.fresh_factorisations);
   visit("last_step", s.last_step);
   visit("position_violation", s.position_violation);
+  visit("angle_violation", s.angle_violation);
   visit("velocity_violation", s.velocity_violation);
+  visit("angular_velocity_violation", s.angular_velocity_violation);
   visit("position_drift", s.position_drift);
+  visit("angle_drift", s.angle_drift);
   visit("velocity_drift", s.velocity_drift);
+  visit("angular_velocity_drift", s.angular_velocity_drift);
   visit("energy_balance", s.energy_balance);
   visit("energy_exchanged", s.energy_exchanged);
   visit("wall_time", s.wall_time);
@@ -85,6 +89,7 @@ void visit_summary(S& s, Visit&& visit) {
   visit("redundant_equations", s.redundant_equations);
   visit("not_unique_reactions", s.not_unique_reactions);
   visit("singular_positions", s.singular_positions);
+  visit("notes", s.notes);
 }
 
 template <class S, class Visit>
@@ -331,8 +336,13 @@ void CheckpointWriter::write(Checkpoint& c, const Result& result) {
   put(bytes, checksum(body));
   bytes.insert(bytes.end(), body.begin(), body.end());
   const fs::path fresh = folder_ / "checkpoint.new";
-  write_durably(fresh, "wb", bytes);
   std::error_code error;
+  try {
+    write_durably(fresh, "wb", bytes);
+  } catch (const OutputError&) {
+    fs::remove(fresh, error);
+    throw;
+  }
   fs::rename(fresh, folder_ / state_file, error);
   if (error) fail_to_write(folder_ / state_file);
   sync_folder(folder_);

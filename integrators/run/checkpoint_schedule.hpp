@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include <yoke/integrators/run/checkpoint.hpp>
 
@@ -38,6 +39,13 @@ class RunCheckpoints {
   long next_time_ = 1;     // number of the next checkpoint by time
   long events_since_ = 0;  // restarts at events since the last one
 };
+
+/// Throws ModelError where a schedule by time would write more checkpoints in `duration` [s] than
+/// any run is worth.
+void check_checkpoint_interval(double every, double duration);
+/// Empty, or what is to be said of checkpoints `every` [s] in `duration` [s] that take `seconds`
+/// each: how long they will take, and an interval that makes sense.
+std::string checkpoint_cost(double every, double duration, double seconds);
 
 /// What was asked of the run that wrote `c` into `folder`.
 SimulationOptions options_of(const Checkpoint& c, const std::filesystem::path& folder);

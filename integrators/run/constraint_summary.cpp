@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/constraint_summary.hpp>
 
+#include <algorithm>
+
 namespace yoke {
 
 int degrees_of_freedom(const Dynamics& dynamics) {
@@ -16,6 +18,32 @@ void note_constraints(Dynamics& dynamics, Summary& summary) {
   for (const int row : redundancy.redundant)
     summary.redundant_equations.push_back(dynamics.system().equation_name(row));
   summary.not_unique_reactions = column_names(dynamics.system(), redundancy.doubts);
+}
+
+void note_violation(Dynamics& dynamics, const State& state, Summary& s) {
+  const Violation position = dynamics.position_violation(state);
+  const Violation velocity = dynamics.velocity_violation(state);
+  s.position_violation = std::max(s.position_violation, position.length);
+  s.angle_violation = std::max(s.angle_violation, position.angle);
+  s.velocity_violation = std::max(s.velocity_violation, velocity.length);
+  s.angular_velocity_violation = std::max(s.angular_velocity_violation, velocity.angle);
+}
+
+// Positions last: they leave the worst row behind.
+void note_drift(Dynamics& dynamics, const State& state, Summary& s) {
+  const Violation velocity = dynamics.velocity_violation(state);
+  const Violation position = dynamics.position_violation(state);
+  s.position_drift = std::max(s.position_drift, position.length);
+  s.angle_drift = std::max(s.angle_drift, position.angle);
+  s.velocity_drift = std::max(s.velocity_drift, velocity.length);
+  s.angular_velocity_drift = std::max(s.angular_velocity_drift, velocity.angle);
+}
+
+void copy_violations(const Summary& from, Summary& to) {
+  to.position_violation = from.position_violation;
+  to.angle_violation = from.angle_violation;
+  to.velocity_violation = from.velocity_violation;
+  to.angular_velocity_violation = from.angular_velocity_violation;
 }
 
 }  // namespace yoke

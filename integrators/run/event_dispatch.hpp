@@ -17,8 +17,9 @@ namespace yoke {
 class ElementEvents {
  public:
   using StopRun = std::function<void(Stop why, std::string reason)>;
-  /// Elements change `state` and append to `events`; `stop` is called if one fails or ends the run.
-  ElementEvents(Dynamics& dynamics, State& state, std::vector<EventRecord>& events, StopRun stop);
+  /// Elements change `state`, append to the events and add to the notes of `result`; `stop` is
+  /// called if one fails or ends the run.
+  ElementEvents(Dynamics& dynamics, State& state, Result& result, StopRun stop);
   /// Lets every contact find out whether it touches at the start.
   void initialise_contacts();
   /// Event slots that fired at the state, which is projected and has its accelerations.
@@ -32,7 +33,7 @@ class ElementEvents {
 
   Dynamics& dynamics_;
   State& state_;
-  std::vector<EventRecord>& events_;
+  Result& result_;
   StopRun stop_;
   std::vector<double> local_acceleration_;
   std::vector<ContactMemory> contacts_before_;

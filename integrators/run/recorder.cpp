@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/integrators/run/constraint_summary.hpp>
+
 namespace yoke {
 
 namespace {
@@ -72,13 +74,7 @@ void Recorder::record(const State& state) {
   record_energy(state, row);
 }
 
-void Recorder::check(const State& state) {
-  Summary& summary = result_.summary;
-  summary.position_violation =
-      std::max(summary.position_violation, dynamics_.position_violation(state));
-  summary.velocity_violation =
-      std::max(summary.velocity_violation, dynamics_.velocity_violation(state));
-}
+void Recorder::check(const State& state) { note_violation(dynamics_, state, result_.summary); }
 
 double* Recorder::record_bodies(const State& state, double* row) const {
   for (Eigen::Index i = 0; i < state.q.size(); i += 3) {

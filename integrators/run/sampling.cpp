@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
 
 namespace yoke {
@@ -71,8 +72,7 @@ void RunSamples::record_end(const State& state) {
 // A formulation after Baumgarte follows a driver that jumps by a motion of its own; projection
 // would then put the mechanism somewhere else.
 Outcome RunSamples::measure_drift(const State& state) {
-  summary_.velocity_drift = std::max(summary_.velocity_drift, dynamics_.velocity_violation(state));
-  summary_.position_drift = std::max(summary_.position_drift, dynamics_.position_violation(state));
+  note_drift(dynamics_, state, summary_);
   const double tolerance = options_.relative_tolerance;
   if (dynamics_.worst_residual() <= largest_drift * tolerance) return {};
   return {false, drifted(dynamics_, state.t, tolerance)};

@@ -59,7 +59,7 @@ double require_apart(const std::string& owner, std::string_view first, const Vec
   require_finite_vector(owner, first, p);
   require_finite_vector(owner, second, q);
   const double distance = std::hypot(q.x() - p.x(), q.y() - p.y());
-  const double size = std::max({1e-3, p.lpNorm<Eigen::Infinity>(), q.lpNorm<Eigen::Infinity>()});
+  const double size = std::max(p.lpNorm<Eigen::Infinity>(), q.lpNorm<Eigen::Infinity>());
   if (!(distance > 1e-14 * size))
     throw ModelError(
         fmt::format("{}: the distance from {} = ({:g}, {:g}) to {} = ({:g}, {:g}) is "

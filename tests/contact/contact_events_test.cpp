@@ -48,7 +48,8 @@ class Wall final : public ContactGeometry {
 
 const PowerLaw hertzian{2.7e9, 1.5};
 const PowerLaw linear{3.1e7, 1.0};
-constexpr double mass = 0.83;  // [kg], as the scene's effective mass
+constexpr double mass = 0.83;                              // [kg], as the scene's effective mass
+const double touch = touch_tolerance(0.1, 100.0 / 3.1e7);  // [m] of the scene's scales
 
 Scene wall_scene(const ContactLaw& low, const ContactLaw& high) {
   Scene scene;
@@ -253,7 +254,7 @@ TEST_CASE("an impact closes the energy ledger and returns its closed form, law b
     Run run(scene, -1e-5, 0.19, no_load);
     run.advance(2.5e-3, 2e-7);
     CHECK(kinds(scene) == each.events);
-    CHECK(scene.memory.release_penetration == 0.0);
+    CHECK(scene.memory.release_penetration < 0.01 * touch);
     CHECK(-run.rate() / 0.19 == Approx(each.restitution).epsilon(1e-5));
     const double kinetic = 0.5 * mass * 0.19 * 0.19;
     CHECK(std::abs(run.ledger_error()) < 1e-7 * kinetic);
@@ -314,7 +315,8 @@ TEST_CASE("a dent is met again at its bottom, on the unloading line, until it is
   CHECK(kinds(scene) == "onset turn release");
   const double set = scene.memory.permanent_set;
   CHECK(set == Approx(scene.records[1].penetration * (1.0 - 0.49)).epsilon(1e-9));
-  CHECK(scene.memory.release_penetration == set);
+  CHECK(scene.memory.release_penetration >= set);
+  CHECK(scene.memory.release_penetration < set + 0.01 * touch);
 
   // Thrown back from within the dent: met at its bottom, and all of the speed returns.
   Run again(scene, 0.6 * set, 0.11, no_load);
@@ -330,7 +332,7 @@ TEST_CASE("a dent is met again at its bottom, on the unloading line, until it is
   again.advance(scene.t + 4e-4, 2e-7);
   CHECK(again.d() < 0.0);
   CHECK(scene.memory.permanent_set == 0.0);
-  CHECK(scene.event_functions()[Event::onset] == again.d());
+  CHECK(std::abs(scene.event_functions()[Event::onset] - again.d()) < 0.01 * touch);
 }
 
 TEST_CASE("a reload beyond the largest penetration is compression again, with a new end") {
@@ -381,11 +383,11 @@ TEST_CASE("a grazing touch within rounding is no contact and cannot stick") {
     put(scene, d, 1e-9, -100.0);
     scene.handle(Event::onset);
     CHECK(scene.memory.phase == ContactPhase::apart);
-    CHECK(scene.event_functions()[Event::onset] < -0.9 * touch_tolerance);
+    CHECK(scene.event_functions()[Event::onset] < -0.9 * touch);
   }
   CHECK(scene.records.empty());
   // A load that presses after all is caught by the margin.
-  put(scene, 1.1e-11, 1e-7, 100.0);
+  put(scene, 1.1 * touch, 1e-7, 100.0);
   CHECK(scene.event_functions()[Event::onset] > 0.0);
   scene.handle(Event::onset);
   CHECK(scene.memory.phase == ContactPhase::compressing);
@@ -400,6 +402,8 @@ TEST_CASE("a release leaves the contact apart and its onset armed, whatever the 
       put(scene, d, rate, 1000.0);
       scene.handle(Event::release);
       CHECK(scene.memory.phase == ContactPhase::apart);
+      // At once: a function that is zero would not be seen to cross zero in the step that follows.
+      CHECK(scene.event_functions()[Event::onset] < 0.0);
       put(scene, d + std::min(rate, 0.0) * 1e-9, rate);
       CHECK(scene.event_functions()[Event::onset] < 0.0);
     }

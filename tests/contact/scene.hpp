@@ -27,11 +27,14 @@ struct Scene {
   double t = 0.0;
   Row6 acceleration{};
   double effective_mass = 0.83;
+  Scales scales{.length = 0.1, .time = 1.0};  // of a mechanism as large as a hand
   std::vector<EventRecord> records;
   std::string failure;
 
   Motion motion() const { return {t, bodies, inertia}; }
-  ForceInput input() const { return {.motion = motion_ = motion(), .contact = &memory}; }
+  ForceInput input() const {
+    return {.motion = motion_ = motion(), .contact = &memory, .scales = scales};
+  }
 
   /// Coordinates of both bodies in the order of the element's blocks.
   Row6 q() const {

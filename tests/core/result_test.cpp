@@ -9,10 +9,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <yoke/core/error.hpp>
@@ -124,7 +126,7 @@ TEST_CASE("appending within the reserved rows moves nothing") {
   CHECK(first != nullptr);
 }
 
-TEST_CASE("on a disk that fills up, whole rows stay and the file is named") {
+TEST_CASE("on a disk that fills up a file keeps what it held, or is not made, and is named") {
   Table table;
   table.add_column("t", "s");
   table.add_column("x", "m");
@@ -133,30 +135,54 @@ TEST_CASE("on a disk that fills up, whole rows stay and the file is named") {
     row[0] = i / 7.0;
     row[1] = -i / 3.0;
   }
-  // Within the first block that is written, later, and cutting within the header line.
-  for (const rlim_t room : {rlim_t{20001}, rlim_t{333333}, rlim_t{3}}) {
-    CAPTURE(room);
-    const TemporaryFolder scratch;
-    const fs::path path = scratch / "motion.csv";
-    std::string message;
-    {
-      const FullDisk full(room);
-      message = message_of<OutputError>([&] { table.write_csv(path); });
-    }
-    CHECK(message == "cannot write '" + path.string() + "': File too large");
-    const std::string text = content(path);
-    CHECK(text.size() <= room);
-    CHECK((text.empty() || text.back() == '\n'));
-    CHECK(text.find('\0') == std::string::npos);
-    const auto lines = split(text, '\n');
-    if (room > 1000) CHECK(text.size() > room - 100);  // nothing whole was thrown away
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-      const auto cells = split(lines[i], ',');
-      REQUIRE(cells.size() == 2);
-      REQUIRE(std::strtod(cells[0].c_str(), nullptr) == static_cast<double>(i - 1) / 7.0);
-      REQUIRE(std::strtod(cells[1].c_str(), nullptr) == -static_cast<double>(i - 1) / 3.0);
+  Result result;
+  result.samples = table;
+  result.summary.reason = std::string(100000, 'x');
+  result.events.resize(20000);
+  const std::string long_text(100000, 'x');
+  const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> writers = {
+      {"motion.csv", [&](const fs::path& path) { table.write_csv(path); }},
+      {"events.csv", [&](const fs::path& path) { write_events(result.events, path); }},
+      {"summary.json", [&](const fs::path& path) { write_text(path, to_json(result.summary)); }},
+      {"text.md", [&](const fs::path& path) { write_text(path, long_text); }}};
+  // Within the first block that is written, later, and before anything is.
+  for (const rlim_t room : {rlim_t{20001}, rlim_t{60000}, rlim_t{0}}) {
+    for (const auto& writer : writers) {
+      const std::string& name = writer.first;
+      CAPTURE(room);
+      CAPTURE(name);
+      const TemporaryFolder scratch;
+      const fs::path old = scratch / name, fresh = scratch / ("new_" + name);
+      write_text(old, "what was there before");
+      for (const fs::path& path : {old, fresh}) {
+        std::string message;
+        {
+          const FullDisk full(room);
+          message = message_of<OutputError>([&] { writer.second(path); });
+        }
+        CHECK(message == "cannot write '" + path.string() + "': File too large");
+      }
+      CHECK(content(old) == "what was there before\n");
+      CHECK(!fs::exists(fresh));
+      CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
+      writer.second(old);  // with room again
+      CHECK(fs::file_size(old) > 90000);
     }
   }
+}
+
+TEST_CASE("a file is written through a link, and what is no file is written to as it is") {
+  const TemporaryFolder scratch;
+  write_text(scratch / "target", "before");
+  fs::create_symlink("target", scratch / "link");
+  write_text(scratch / "link", "after");
+  CHECK(fs::is_symlink(scratch / "link"));
+  CHECK(content(scratch / "target") == "after\n");
+  write_text("/dev/null", "nothing");
+  CHECK(fs::is_character_file("/dev/null"));
+  if (fs::exists("/dev/full"))
+    CHECK(message_of<OutputError>([&] { write_text("/dev/full", "no room"); }) ==
+          "cannot write '/dev/full': No space left on device");
 }
 
 TEST_CASE("folders that cannot be made or written are named with the reason") {

@@ -23,8 +23,9 @@ constexpr double largest_move = 0.1;      // length scales or rad in one step
 constexpr double part_of_distance = 0.3;
 constexpr double always_allowed = 1e-5;
 constexpr double singular = 1e-10;  // independence where nothing but the past tells the velocities
-constexpr double coasting = 1e-12;  // violation of the constraints after a step by prediction alone
-constexpr double rounding = 1e-9;   // length scales or rad: a correction that needs no excuse
+constexpr double coasting =
+    1e-12;  // violation after a step by prediction alone, length scales or rad
+constexpr double rounding = 1e-9;      // length scales or rad: a correction that needs no excuse
 constexpr double worth_a_look = 0.05;  // independence of a minimum that is located
 
 /// Bodies that the constraints let move at this pose, at most five.
@@ -120,8 +121,13 @@ bool DrivenMotion::coasts(const State& from, State& state) {
   if (dynamics_.independence(state.t, state.q.data(), 3) > singular) return false;
   state.a = from.a;
   state.lambda = from.lambda;
-  return dynamics_.position_violation(state) <= coasting &&
-         dynamics_.velocity_violation(state) * (state.t - from.t) <= coasting;
+  const double length = dynamics_.system().scales().length, time = state.t - from.t;
+  const auto small = [length](const Violation& v) {
+    return v.length <= coasting * length && v.angle <= coasting;
+  };
+  const Violation rate = dynamics_.velocity_violation(state);
+  return small(dynamics_.position_violation(state)) &&
+         small({rate.length * time, rate.angle * time});
 }
 
 bool DrivenMotion::advance(double t, const Observer& observer) {

@@ -251,7 +251,8 @@ void Statics::find_contacts(const std::function<double(const double*)>& effectiv
             effective_mass ? effective_mass
                            : [this, &f](const double* d) { return dynamics_.effective_mass(f, d); },
         .acceleration = still.data(),
-        .fail = [this](const std::string&) { beyond_law_ = true; }};
+        .fail = [this](const std::string&) { beyond_law_ = true; },
+        .at_rest = loading};
     f.element->initialise_contacts(context);
     if (!loading) continue;
     for (int i = 0; i < f.element->contacts(); ++i) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
 
 namespace yoke {
@@ -47,6 +48,7 @@ void check_options(const SimulationOptions& options, double t_start) {
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
   check_checkpoints(options.checkpoints);
+  check_checkpoint_interval(options.checkpoints.every, options.until - t_start);
   const std::tuple<const char*, double, const char*> sizes[] = {
       {"length_scale", options.length_scale, "m"},
       {"time_scale", options.time_scale, "s"},

@@ -52,6 +52,36 @@ TEST_CASE("every law at least once, in every geometry, against closed forms and 
   report("some of each", worst);
 }
 
+// The shares with which the force vanishes exactly at the corner of the formula, on the way out.
+TEST_CASE("lee-wang-2 let go exactly at its corner does what it does just beside it") {
+  struct Corner {
+    double q, e, share;
+  };
+  for (const Corner& corner : {Corner{0.5, 0.05, 0.346095703},
+                               {3.0, 0.3, 0.341326705},
+                               {20.0, 0.7, 0.168000214},
+                               {3.0, 0.95, 0.0310602516}})
+    for (const std::string formulation : integrators) {
+      INFO("q = ", corner.q, " e = ", corner.e, " ", formulation);
+      const auto restitution = [&](double aside) {
+        const ContactLaw law{
+            make_elastic("power:K=1e8,n=1", {}),
+            make_dissipative("lee-wang-2", {.restitution = corner.e,
+                                            .q = corner.q,
+                                            .epsilon = corner.share * (1.0 + aside),
+                                            .tensile = TensilePhase::clamp})};
+        return simulate_impact({.law = law, .speed = v, .mass = m, .formulation = formulation})
+            .restitution;
+      };
+      const double there = restitution(0.0);
+      for (const double aside : {1e-13, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3})
+        for (const double side : {-1.0, 1.0})
+          CHECK(std::abs(restitution(side * aside) / there - 1.0) < promise + 10.0 * aside);
+      const Expected beside = lee_wang_2(1e8, corner.e, corner.q, corner.share * 1.0001, true);
+      CHECK(std::abs(there / beside.restitution - 1.0) < 1e-3);
+    }
+}
+
 // Its damping fades before its spring does: let go, it presses once more just before d = 0, within
 // one step of free flight. Missed, that is up to 2 % of the restitution.
 TEST_CASE("lee-wang-2 let go where the force vanishes presses again before the end") {

@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include <yoke/core/result.hpp>
 #include <yoke/tests/files.hpp>
 #include <yoke/tests/messages.hpp>
 
@@ -112,7 +113,9 @@ TEST_SUITE("program") {
       CHECK(summary["stop"] == "completed");
       CHECK(summary["samples"] == 101);
       for (const char* key : {"steps", "evaluations", "factorisations", "events", "peak_force_N",
-                              "worst_constraint_violation_m", "energy_balance_J", "wall_time_s"})
+                              "worst_constraint_violation_m", "worst_constraint_violation_rad",
+                              "position_violation_m", "angle_violation_rad",
+                              "position_violation_m_or_rad", "energy_balance_J", "wall_time_s"})
         CHECK_MESSAGE(summary[key].is_number(), key);
       CHECK(summary["worst_constraint_violation_m"] < 1e-10);
     }
@@ -335,7 +338,7 @@ TEST_SUITE("program") {
     CHECK(summary["verification"]["worst"]["digits"] > 3.0);
   }
 
-  TEST_CASE("a full disk leaves whole rows and is reported") {
+  TEST_CASE("a full disk leaves no half of a file and is reported") {
     const TemporaryFolder scratch;
     const Outcome full =
         yoke(scratch, "run scotch_yoke -o out --law johnson --no-plots", "ulimit -f 200; ");
@@ -343,9 +346,39 @@ TEST_SUITE("program") {
     CHECK(contains(full.out, "cannot write 'out/johnson/motion.csv': "));
     const fs::path folder = scratch / "out" / "johnson";
     CHECK(nlohmann::json::parse(content(folder / "summary.json"))["stop"] == "completed");
-    const std::size_t rows = check_rows(folder / "motion.csv");
-    CHECK(rows > 100);
-    CHECK(rows < 4001);
+    CHECK(!fs::exists(folder / "motion.csv"));
+    CHECK(!fs::exists(folder / "motion.csv.part"));
+    // Nothing at all can be written: no file of zero bytes is left.
+    const Outcome none = yoke(scratch, "run point_pendulum -o none --no-plots", "ulimit -f 0; ");
+    CHECK(none.code == 1);
+    CHECK(!fs::exists(scratch / "none/summary.json"));
+    CHECK(!fs::exists(scratch / "none/run.json"));
+  }
+
+  TEST_CASE("checkpoints too close to each other are refused, or warned of, before the run") {
+    const TemporaryFolder scratch;
+    const Outcome refused =
+        yoke(scratch, "run point_pendulum --checkpoint 1e-9s --no-plots -o refused");
+    CHECK(refused.code == 1);
+    CHECK(contains(refused.out,
+                   "checkpoints every 1e-09 s would be 1e+10 of them in 10 s; "
+                   "accepted are up to 1e+06, at least 1e-05 s apart; every 0.1 s "
+                   "would be 100"));
+  }
+
+  TEST_CASE("a run.json of before there was a spectral radius is a whole one") {
+    const TemporaryFolder scratch;
+    CHECK(yoke(scratch, "run point_pendulum --checkpoint 5s --no-plots -o out").code == 0);
+    const std::string motion = content(scratch / "out/motion.csv");
+    auto options = nlohmann::json::parse(content(scratch / "out/run.json"));
+    CHECK(options.erase("spectral_radius") == 1);
+    yoke::write_text(scratch / "out/run.json", options.dump());
+    const Outcome resumed = yoke(scratch, "resume out");
+    CHECK_MESSAGE(resumed.code == 0, resumed.out);
+    CHECK(content(scratch / "out/motion.csv") == motion);
+    CHECK(options.erase("samples") == 1);  // always there: this one is damaged
+    yoke::write_text(scratch / "out/run.json", options.dump());
+    CHECK(contains(yoke(scratch, "resume out").out, "is damaged"));
   }
 }
 

@@ -8,10 +8,13 @@
 #include <string>
 
 #include <yoke/cases/n_four_bar.hpp>
+#include <yoke/core/error.hpp>
 #include <yoke/core/event_function.hpp>
+#include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
 #include <yoke/tests/files.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
+#include <yoke/tests/messages.hpp>
 
 namespace {
 
@@ -231,4 +234,60 @@ TEST_CASE("checkpoints without a folder, or a folder without a schedule, are ref
   refused({.folder = folder.path()}, "neither checkpoints.every [s] nor checkpoints.every_events");
   refused({.folder = folder.path(), .every = -1.0}, "checkpoints.every = -1 s must be finite");
   CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("checkpoints closer than any run is worth are refused with what would be accepted") {
+  const TemporaryFolder scratch;
+  const auto asked = [&](double every) {
+    return SimulationOptions{.until = 10.0,
+                             .checkpoints = {.folder = scratch.path(), .every = every}};
+  };
+  CHECK(message_of<ModelError>([&] { simulate(double_pendulum(), asked(1e-9)); }) ==
+        "checkpoints every 1e-09 s would be 1e+10 of them in 10 s; accepted are up to 1e+06, at "
+        "least 1e-05 s apart; every 0.1 s would be 100");
+  CHECK(!fs::exists(scratch / "checkpoint.bin"));
+  CHECK_NOTHROW(check_checkpoint_interval(1e-5, 10.0));
+  CHECK_NOTHROW(check_checkpoint_interval(0.0, 10.0));  // not by time
+}
+
+TEST_CASE("a schedule that will take long to write is warned of once, before the run goes on") {
+  CHECK(checkpoint_cost(1e-3, 10.0, 2e-3).empty());  // 20 s
+  CHECK(checkpoint_cost(0.0, 10.0, 2e-3).empty());
+  CHECK(checkpoint_cost(1e-4, 10.0, 5e-3) ==
+        "100000 checkpoints, one every 0.0001 s, will take about 8 min to write, 5 ms each; every "
+        "0.1 s would be 100");
+  CHECK(checkpoint_cost(1e-5, 7.0, 0.5).find("will take about 4 days to write") !=
+        std::string::npos);
+  CHECK(checkpoint_cost(1e-5, 7.0, 0.5).find("every 0.1 s would be 70") != std::string::npos);
+
+  const TemporaryFolder scratch;
+  int warnings = 0, steps = 0;
+  SimulationOptions o{
+      .until = 1e6, .samples = 2, .checkpoints = {.folder = scratch.path(), .every = 1.0}};
+  o.warning = [&](const std::string& text) {
+    ++warnings;
+    CHECK(steps == 0);
+    CHECK(text.find("1000000 checkpoints, one every 1 s") == 0);
+  };
+  o.observer = [&](const Progress&) { return ++steps < 3; };
+  CHECK(simulate(double_pendulum(), o).summary.stop == Stop::interrupted);
+  CHECK(warnings == 1);
+}
+
+TEST_CASE("a disk that fills up leaves the last checkpoint whole") {
+  const TemporaryFolder scratch;
+  SimulationOptions o{
+      .until = 1.0, .samples = 2, .checkpoints = {.folder = scratch.path(), .every = 0.1}};
+  o.observer = [](const Progress& now) { return now.t < 0.25; };
+  simulate(double_pendulum(), o);
+  REQUIRE(fs::exists(scratch / "checkpoint.bin"));
+  const std::string before = content(scratch / "checkpoint.bin");
+  // A folder where the new one is to be written does what a full disk does.
+  fs::create_directory(scratch / "checkpoint.new");
+  o.observer = nullptr;
+  o.checkpoints.resume = true;
+  const Result run = simulate(double_pendulum(), o);
+  CHECK(run.summary.stop == Stop::failed);
+  CHECK(run.summary.reason.find("checkpoint.new") != std::string::npos);
+  CHECK(content(scratch / "checkpoint.bin") == before);
 }
