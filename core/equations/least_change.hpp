@@ -45,7 +45,9 @@ class LeastChange {
   void evaluate(double t, const double* q);
   double merit() const;
   bool factorise(double mu);
+  bool factorise_lightly();
   void step(const double* residual);  // into x_
+  double largest_residual();
   double size(int row) const;
 
   System& system_;
