@@ -86,6 +86,7 @@ double LeastChange::merit() const {
 }
 
 bool LeastChange::factorise(double mu) {
+  mu_ = mu;
   const int n = system_.dofs();
   const double* G = system_.G();
   std::ranges::fill(row_scale_, 0.0);
@@ -213,6 +214,39 @@ void LeastChange::make_admissible(double* d) {
   }
   for (std::size_t i = 0; i < n; ++i)
     if (held_[i] != 0) d[i] = 0.0;
+}
+
+double LeastChange::independence(double t, const double* q, int iterations) {
+  const int n = system_.dofs(), rows = system_.rows();
+  evaluate(t, q);
+  if (!factorise_lightly()) return 0.0;
+  if (weakest_.empty()) {  // no direction yet
+    for (int i = 0; i < rows; ++i) weakest_.push_back(std::cos(1.0 + 2.4 * i));
+    iterations = std::max(iterations, 6);
+  }
+  double eigenvalue = 1.0;
+  for (int round = 0; round < iterations; ++round) {
+    double before = 0.0, after = 0.0, largest = 0.0;
+    std::ranges::fill(x_, 0.0);
+    for (int i = 0; i < rows; ++i) {
+      if (ignored_[at(i)] != 0) continue;
+      // A little of everything, or a direction the last one has no part in would stay unseen.
+      x_[at(n + i)] = weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i);
+      before += x_[at(n + i)] * x_[at(n + i)];
+    }
+    lu_->solve(x_.data());
+    for (int i = 0; i < rows; ++i)
+      if (ignored_[at(i)] == 0) after += x_[at(n + i)] * x_[at(n + i)];
+    if (!(after > 0.0) || !std::isfinite(after)) return after == 0.0 ? 1.0 : 0.0;
+    eigenvalue = std::max(0.0, std::sqrt(before / after) - mu_);
+    for (int i = 0; i < rows; ++i) {
+      weakest_[at(i)] = ignored_[at(i)] == 0 ? x_[at(n + i)] / std::sqrt(after) : 0.0;
+      if (std::abs(weakest_[at(i)]) <= largest) continue;
+      largest = std::abs(weakest_[at(i)]);
+      worst_row_ = i;
+    }
+  }
+  return eigenvalue;
 }
 
 }  // namespace yoke

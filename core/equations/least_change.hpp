@@ -33,6 +33,12 @@ class LeastChange {
   /// Removes from d [dofs] what the constraints at the pose evaluated last forbid.
   void make_admissible(double* d);
 
+  /// How far the equations at (t, q) are from being dependent: the smallest eigenvalue of
+  /// G W^-1 G^T scaled to a diagonal of ones, by inverse iteration from the last call. With weights
+  /// that are squares of lengths it is a matter of geometry alone. 0: singular. Sets worst_row() to
+  /// the equation with the largest part in what is nearly dependent.
+  double independence(double t, const double* q, int iterations);
+
   int worst_row() const { return worst_row_; }
   /// Residual of every row at the end, [m, rad] or per s.
   const std::vector<double>& residual() const { return residual_; }
@@ -58,6 +64,8 @@ class LeastChange {
   std::vector<int> diagonal_;
   std::vector<double> row_scale_;
   std::vector<double> residual_, x_, zero_;
+  std::vector<double> weakest_;  // [rows] for independence()
+  double mu_ = 0.0;              // of the last factorisation
   std::unique_ptr<SparseLU> lu_;
   int worst_row_ = 0;
   double norm_ = 0.0;
