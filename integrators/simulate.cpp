@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include <yoke/integrators/analyses/details/driven_motion.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/cost.hpp>
@@ -24,6 +25,12 @@ namespace yoke {
 
 namespace {
 
+constexpr double dead_point_reach =
+    0.1;  // of the time scale: how far ahead a dead point is looked for
+// A run that fails is tried with a tolerance this much looser; it helps if it gets this part of the
+// time scale further.
+constexpr double much_looser = 1e3, short_way = 1e-6;
+constexpr int trial_steps = 2000;
 constexpr double shortest_rest = 1e-14;  // of the end time
 
 constexpr const char* automatic = "automatic";
@@ -55,7 +62,12 @@ class Run {
   bool handle_events(double t);
   bool restart_at_event(double t);
   void check_restart();
+  State last_good_state();
+  std::string dead_point();
+  bool looser_tolerance_helps(const State& there);
   std::string blame();
+  std::string explain_stop(double t, Step step);
+  bool fail_at(double t, Step step);
   void finish();
   void summarise();
   void stop(Stop why, std::string reason);
@@ -272,17 +284,73 @@ void Run::check_restart() {
     fail(fmt::format("accelerations after the event at t = {:.9g} s are not finite", state_.t));
 }
 
+State Run::last_good_state() {
+  State there = state_;
+  if (result_.summary.t_end > state_.t) formulation_->interpolate(result_.summary.t_end, there);
+  there.contacts = state_.contacts;
+  there.parameters = state_.parameters;
+  return there;
+}
+
+/// Empty, or the dead point that the drivers have run into. Positions of a mechanism that is fully
+/// driven follow from the last restart; others are known at the last good state only.
+std::string Run::dead_point() {
+  const System& system = dynamics_.system();
+  const State from = degrees_of_freedom(dynamics_) == 0 ? state_ : last_good_state();
+  return find_dead_point(system.model(), from, system.dropped_rows(), result_.summary.t_end,
+                         dead_point_reach * system.scales().time);
+}
+
+/// Does the formulation get on from there if less is asked of it? Then the tolerance is too tight.
+bool Run::looser_tolerance_helps(const State& there) {
+  SimulationOptions options = options_;
+  options.relative_tolerance = std::min(much_looser * options.relative_tolerance, 1e-2);
+  if (options.relative_tolerance < 2.0 * options_.relative_tolerance) return false;
+  const double enough =
+      std::min(options_.until, there.t + std::max(1e6 * formulation_->last_step(),
+                                                  short_way * dynamics_.system().scales().time));
+  try {
+    State from = there;
+    if (!dynamics_.project(from)) return false;
+    dynamics_.reset();
+    const auto trial = guard_singular_positions(
+        entry_, dynamics_, choose_tolerances(dynamics_.system(), from, options),
+        [](const SingularPosition&) {});
+    trial->start(from);
+    for (int i = 0; i < trial_steps; ++i) {
+      const Step step = trial->step(options_.until);
+      if (step == Step::failed) return false;
+      if (step == Step::event || trial->time() >= enough) return trial->time() > there.t;
+    }
+  } catch (const std::exception&) {
+  }
+  return false;
+}
+
 /// Who is to blame for a step that fails, and what to try.
 std::string Run::blame() {
   if (std::string element = blame_element(dynamics_.system()); !element.empty()) return element;
-  State& there = sample_;
-  if (result_.summary.t_end > state_.t)
-    formulation_->interpolate(result_.summary.t_end, there);
-  else
-    there = state_;
-  there.contacts = state_.contacts;
-  there.parameters = state_.parameters;
-  return blame_surroundings(dynamics_, there, result_.events, standstill_.last_steps());
+  State there = last_good_state();
+  const bool too_tight = looser_tolerance_helps(there);
+  dynamics_.system().bind(state_);
+  return blame_surroundings(dynamics_, there, result_.events, standstill_.last_steps(), too_tight);
+}
+
+std::string Run::explain_stop(double t, Step step) {
+  if (step != Step::failed)
+    return fmt::format("the step size has run to zero at t = {:.9g} s{}", t, blame());
+  const std::string failure = formulation_->failure();
+  return explained(failure, t,
+                   fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{}", t,
+                               formulation_->last_step(), blame()));
+}
+
+// A dead point needs no other explanation.
+bool Run::fail_at(double t, Step step) {
+  std::string reason = dead_point();
+  if (reason.empty()) reason = explain_stop(t, step);
+  stop(Stop::failed, std::move(reason));
+  return false;
 }
 
 // False at the end, whatever the reason.
@@ -290,13 +358,7 @@ bool Run::advance() {
   const Step step = formulation_->step(checkpoints_.next_stop());
   const bool at_event = step == Step::event;
   const double t = at_event ? locate_events() : formulation_->time();
-  if (step == Step::failed)
-    return fail(
-        explained(formulation_->failure(), t,
-                  fmt::format("the integrator stopped at t = {:.9g} s with a step of {:g} s{}", t,
-                              formulation_->last_step(), blame())));
-  if (standstill_.stalls(t))
-    return fail(fmt::format("the step size has run to zero at t = {:.9g} s{}", t, blame()));
+  if (step == Step::failed || standstill_.stalls(t)) return fail_at(t, step);
   standstill_.note_step(formulation_->last_step());
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
@@ -319,6 +381,8 @@ bool Run::observe(double t) {
 
 // Stops the run; false, for callers that say whether it goes on.
 bool Run::fail(std::string reason) {
+  if (stopped_) return false;
+  if (std::string dead = dead_point(); !dead.empty()) reason = std::move(dead);
   stop(Stop::failed, std::move(reason));
   return false;
 }

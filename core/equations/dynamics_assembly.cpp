@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/consistency.hpp>
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
@@ -15,53 +16,25 @@ namespace {
 constexpr int max_assembly_iterations = 60;
 // Reciprocal condition below which the equations are looked at by a rank-revealing QR.
 constexpr double suspicious = 1e-11;
-// Residual of an equation left out, in length scales or rad, or of its rates in parts of what they
-// are made of, above which it contradicts the others.
-constexpr double agreement = 1e-8;
 }  // namespace
 
 // Do the equations left out hold for the rates and accelerations found without them?
 Outcome Dynamics::check_left_out(const State& state, const RankAnalysis& analysis) {
   system_.bind(state);
   system_.set_motion(state.t, state.q.data(), state.v.data());
-  std::vector<double> gamma(at(system_.rows())), rate(gamma);
-  for (const ConstraintSlot& c : system_.constraints())
-    c.element->evaluate(
-        system_.motion(),
-        {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = gamma.data() + c.row});
+  system_.calc_position_level(phi_.data());
   factorised_ = false;
-  system_.calc_velocity_residual(rate.data());
-  const double length = system_.scales().length;
-  double speed = 0.0, acceleration = 0.0;
-  for (int i = 0; i < system_.dofs(); ++i) {
-    const double size = i % 3 == 2 ? 1.0 : length;
-    speed = std::max(speed, std::abs(state.v[i]) / size);
-    acceleration = std::max(acceleration, std::abs(state.a[i]) / size);
-  }
-  acceleration = std::max(acceleration, speed * speed);
-  for (const ConstraintSlot& c : system_.constraints()) {
-    for (int i = 0; i < c.rows; ++i) {
-      const int row = c.row + i;
-      if (std::ranges::find(analysis.dependent, row) == analysis.dependent.end()) continue;
-      double residual = -gamma[at(row)];
-      for (int j = 0; j < c.columns; ++j)
-        if (const int dof = system_.dof()[at(c.dofs + j)]; dof >= 0)
-          residual += system_.G()[c.block + i * c.columns + j] * state.a[dof];
-      const bool is_length = system_.measure(row) == Measure::length;
-      const double size = is_length ? length : 1.0;
-      const auto refuse = [&](const char* what, double value, const char* per) {
-        return Outcome{false,
-                       fmt::format("'{}' is in conflict with {}: its {} stays violated by "
-                                   "{:g} {}/{}",
-                                   system_.equation_name(row), partners_of(system_, analysis, row),
-                                   what, value, is_length ? "m" : "rad", per)};
-      };
-      if (std::abs(rate[at(row)]) > agreement * size * (speed + 1e-12))
-        return refuse("rate", rate[at(row)], "s");
-      if (std::abs(residual) > agreement * size * (acceleration + 1e-12))
-        return refuse("acceleration", residual, "s^2");
-    }
-  }
+  const auto refuse = [&](const char* what, const Disagreement& d, double sign, const char* per) {
+    return Outcome{false,
+                   fmt::format("'{}' is in conflict with {}: its {} stays violated by {:g} {}/{}",
+                               system_.equation_name(d.row), partners_of(system_, analysis, d.row),
+                               what, sign * d.residual,
+                               system_.measure(d.row) == Measure::length ? "m" : "rad", per)};
+  };
+  if (const auto rate = find_disagreement(analysis, rate_terms(system_, state.v)))
+    return refuse("rate", *rate, 1.0, "s");
+  if (const auto acceleration = find_disagreement(analysis, acceleration_terms(system_, state)))
+    return refuse("acceleration", *acceleration, -1.0, "s^2");
   return {};
 }
 
@@ -94,17 +67,24 @@ Outcome Dynamics::finish_assembly(State& state) {
 
 Outcome Dynamics::explain_positions(const LeastChange& failed) const {
   const int worst = failed.worst_row();
-  const double residual = failed.residual()[at(worst)];
+  // Lengths and angles are compared in parts of the length scale and rad.
+  const auto share = [&](int row) {
+    const double size = system_.measure(row) == Measure::length ? system_.scales().length : 1.0;
+    return std::abs(failed.residual()[at(row)]) / size;
+  };
   // Where the sum of squares is least, what is left of the equations is in balance with each other.
+  double largest = 0.0;
+  for (int i = 0; i < system_.rows(); ++i)
+    if (i != worst) largest = std::max(largest, share(i));
   std::string others;
   int count = 0;
   for (int i = 0; i < system_.rows() && count < 5; ++i) {
-    if (i == worst || std::abs(failed.residual()[at(i)]) < 0.1 * std::abs(residual)) continue;
+    if (i == worst || share(i) < 0.1 * largest || largest < 1e-3 * share(worst)) continue;
     others += (others.empty() ? ", in conflict with '" : ", '") + system_.equation_name(i) + "'";
     ++count;
   }
   return {false, fmt::format("the start pose cannot be assembled: '{}' stays violated by {:g} {}{}",
-                             system_.equation_name(worst), residual,
+                             system_.equation_name(worst), failed.residual()[at(worst)],
                              system_.measure(worst) == Measure::length ? "m" : "rad", others)};
 }
 

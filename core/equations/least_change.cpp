@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/equations/consistency.hpp>
 #include <yoke/core/equations/index.hpp>
 
 namespace yoke {
@@ -17,6 +18,10 @@ constexpr double largest_damping = 1e10;
 constexpr double largest_turn = 0.5;  // [rad] in one iteration
 // What rounding may leave, in length scales or rad, where Newton's iteration cannot square it.
 constexpr double close_enough = 1e-12;
+// Rounds that remove what the damping leaves of a residual: at least, and at most next to a singular
+// position, where each removes less.
+constexpr int velocity_rounds = 4, max_velocity_rounds = 40;
+constexpr double agreement_of_rates = 1e-10;  // of the terms
 }  // namespace
 
 LeastChange::LeastChange(System& system, std::vector<double> weights, std::vector<char> held,
@@ -51,6 +56,13 @@ double LeastChange::merit() const {
   return sum;
 }
 
+// With the least damping that dependent equations let one factorise with.
+bool LeastChange::factorise_lightly() {
+  for (double mu = 10.0 * smallest_damping; mu < 1e-5; mu *= 10.0)
+    if (saddle_.factorise(mu)) return true;
+  return false;
+}
+
 void LeastChange::step(const double* residual) {
   const int n = system_.dofs();
   std::ranges::fill(x_, 0.0);
@@ -62,14 +74,12 @@ void LeastChange::step(const double* residual) {
 
 bool LeastChange::solve_positions(double t, double* q) {
   const auto n = at(system_.dofs());
-  double size = 1.0;
-  for (std::size_t i = 0; i < n; ++i)
-    size = std::max(size, std::abs(q[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
-  const double tolerance = 16.0 * machine_epsilon * size,
-               good = std::max(tolerance, close_enough * size);
   std::vector<double> trial(n);
   double mu = 1e-3;
   evaluate(t, q);
+  const double size = std::max(1.0, largest_position_term(system_, q)),
+               tolerance = 16.0 * machine_epsilon * size,
+               good = std::max(tolerance, close_enough * size);
   double before = merit();
   for (int iteration = 0; iteration < max_iterations && norm_ > tolerance; ++iteration) {
     if (!std::isfinite(before)) return false;
@@ -103,31 +113,48 @@ bool LeastChange::solve_positions(double t, double* q) {
 
 bool LeastChange::solve_velocities(double t, const double* q, double* v) {
   evaluate(t, q);
-  if (!saddle_.factorise(smallest_damping * 10.0)) return false;
-  double worst = 0.0;
-  for (int round = 0; round < 4; ++round) {
+  if (!factorise_lightly()) return false;
+  const int n = system_.dofs();
+  // What a residual is to be compared with: the terms it is the sum of, before and after.
+  const auto size_of_terms = [&] {
+    const EquationTerms terms = rate_terms(system_, Eigen::Map<const Eigen::VectorXd>(v, n));
+    double largest = 0.0;
+    for (int i = 0; i < system_.rows(); ++i)
+      if (!saddle_.ignores(i)) largest = std::max(largest, terms.size[at(i)] / size(i));
+    return largest;
+  };
+  const double before = size_of_terms();
+  double last = std::numeric_limits<double>::infinity(), worst = last;
+  for (int round = 0;; ++round) {
     system_.set_motion(t, q, v);
     system_.calc_velocity_residual(residual_.data());
+    last = worst;
+    worst = largest_residual();
+    const bool enough = worst <= machine_epsilon * before || !(worst < 0.9 * last);
+    if (round == max_velocity_rounds || (round >= velocity_rounds && enough)) break;
     step(residual_.data());
-    for (int i = 0; i < system_.dofs(); ++i) v[i] += x_[at(i)];
+    for (int i = 0; i < n; ++i) v[i] += x_[at(i)];
   }
-  system_.set_motion(t, q, v);
-  system_.calc_velocity_residual(residual_.data());
-  double rate = 0.0;  // what a residual is to be compared with
-  for (int i = 0; i < system_.dofs(); ++i)
-    rate = std::max(rate, std::abs(v[i]) / (i % 3 == 2 ? 1.0 : system_.scales().length));
+  const double rate = std::max(before, size_of_terms());
+  return worst <= agreement_of_rates * rate;
+}
+
+// Of the equations that count, in length scales or rad per s; notes the row.
+double LeastChange::largest_residual() {
+  double worst = 0.0;
   for (int i = 0; i < system_.rows(); ++i) {
     if (saddle_.ignores(i)) residual_[at(i)] = 0.0;
     const double r = std::abs(residual_[at(i)]) / size(i);
     if (r <= worst) continue;
-    worst = r;
+    worst = r;  // NaN too
     worst_row_ = i;
+    if (std::isnan(r)) break;
   }
-  return worst <= 1e-10 * rate + 1e-300 || worst <= 1e-13;
+  return worst;
 }
 
 void LeastChange::make_admissible(double* d) {
-  if (!saddle_.factorise(smallest_damping * 10.0)) return;
+  if (!factorise_lightly()) return;
   for (int i = 0; i < system_.dofs(); ++i)
     if (saddle_.holds(i)) d[i] = 0.0;
   std::vector<double> change(residual_.size());

@@ -39,7 +39,9 @@ class LeastChange {
  private:
   void evaluate(double t, const double* q);
   double merit() const;
+  bool factorise_lightly();
   void step(const double* residual);  // into x_
+  double largest_residual();
   double size(int row) const;
 
   System& system_;

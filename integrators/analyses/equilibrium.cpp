@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/integrators/analyses/details/descent.hpp>
 #include <yoke/integrators/analyses/details/linearisation.hpp>
 #include <yoke/integrators/analyses/details/rest_equations.hpp>
 #include <yoke/integrators/analyses/details/spectrum.hpp>
@@ -26,6 +27,9 @@ constexpr double largest_move = 0.2;  // length scales or rad in one step of a r
 constexpr int relaxation_steps = 3000;
 constexpr double lost = 100.0;           // length scales from the start: nothing holds it
 constexpr double neutral_below = 1e-12;  // of the largest stiffness
+constexpr double stands_on = 0.05;       // length scales or rad: the start is on the equilibrium
+constexpr double off_saddle = 0.01;      // the same
+constexpr int max_saddles = 20;
 
 using Vector = Eigen::VectorXd;
 
@@ -36,35 +40,49 @@ class Solver {
   Solver(const Model& model, const State& start, const EquilibriumOptions& options)
       : options_(options), statics_(model, start, options) {}
 
+  // The first that is stable counts. One that is not is taken if the start stands on it, or if
+  // nothing better is found.
   Equilibrium solve() {
-    Vector x = statics_.unknowns();
-    const Vector start = x;
+    const Vector start = statics_.unknowns();
+    Vector x = start;
     bool found = newton(x);
-    if (!found && statics_.has_loads()) {
+    if (found && (is_stable(x) || statics_.move(x - start) < stands_on)) return report(x, true);
+    Vector unstable = x;
+    EquilibriumRoute route = e_.route;
+    if (statics_.has_loads()) {
       e_.route = EquilibriumRoute::load_steps;
       x = start;
-      found = bring_on_loads(x);
+      const bool loaded = bring_on_loads(x);
+      if (loaded && is_stable(x)) return report(x, true);
+      if (loaded && !found) unstable = x, found = true, route = e_.route;
     }
-    if (!found) {
-      e_.route = EquilibriumRoute::relaxation;
-      statics_.set_load(1.0);
-      found = relax(x);
-    }
-    report(x, found);
-    return std::move(e_);
+    e_.route = EquilibriumRoute::relaxation;
+    statics_.set_load(1.0);
+    if (descend_from(start, x)) return report(x, true);
+    const Vector reached = x;
+    if (!found && relax(x)) return report(x, true);
+    if (!found) return report(reached, false);
+    e_.route = route;
+    return report(unstable, true);
   }
 
  private:
   /// KINSOL, then Newton's iteration to rounding. x is the solution, or as it was.
   bool newton(Vector& x) {
-    Vector y = x, F;
+    Vector y = x;
     const NonlinearOutcome outcome =
         solve_nonlinear(statics_.problem(), y, newton_tolerance,
                         largest_step * std::sqrt(static_cast<double>(y.size())));
     e_.iterations += outcome.iterations;
+    return settle(y) && (x = y, true);
+  }
+
+  /// Newton's iteration from close by to rounding. x is the solution, or as it was.
+  bool settle(Vector& x) {
+    Vector y = x, F;
     if (!statics_.residual(y, F)) return false;
     double norm = F.cwiseAbs().maxCoeff();
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 12; ++i) {
       if (!(norm < 1e-2) || !statics_.factorise(y)) return false;
       Vector step = -F;
       if (!statics_.solve(step)) return false;
@@ -77,7 +95,7 @@ class Solver {
         F = F_next;
         norm = F.cwiseAbs().maxCoeff();
       }
-      if (norm < good_residual && moved < good_step) {
+      if ((norm < good_residual && moved < good_step) || (!better && statics_.is_rounding(y, F))) {
         x = y;
         return true;
       }
@@ -103,6 +121,29 @@ class Solver {
     return load >= 1.0;
   }
 
+  /// Downhill from `start` to a minimum: from a saddle it goes on along the way down.
+  bool descend_from(const Vector& start, Vector& x) {
+    x = start;
+    for (int saddles = 0; saddles < max_saddles; ++saddles) {
+      const DescentEnd end =
+          descend(statics_, x, e_.iterations, [this](Vector& y) { return settle(y); });
+      if (end == DescentEnd::lost) throw_lost(x);
+      if (end == DescentEnd::stuck) return false;
+      if (is_stable(x)) return true;
+      Vector beside = x;
+      statics_.displace(way_down_, off_saddle, beside);
+      if (!statics_.project(beside)) return true;
+      x = beside;
+    }
+    return false;
+  }
+
+  [[noreturn]] void throw_lost(const Vector& x) {
+    statics_.set(x);
+    throw ModelError(fmt::format("equilibrium: nothing holds '{}': it moves away without end",
+                                 statics_.farthest_body()));
+  }
+
   // M dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
   // well.
   bool relax(Vector& x) {
@@ -126,16 +167,12 @@ class Solver {
       x = next;
       F = F_next;
       inertia = std::max(0.5 * inertia, 1e-12);
-      if (statics_.move(x) > lost) {
-        statics_.set(x);
-        throw ModelError(fmt::format("equilibrium: nothing holds '{}': it moves away without end",
-                                     statics_.farthest_body()));
-      }
+      if (statics_.move(x) > lost) throw_lost(x);
     }
     return newton(x);
   }
 
-  void report(const Vector& x, bool found) {
+  Equilibrium report(const Vector& x, bool found) {
     Vector F;
     e_.found = found;
     if (statics_.residual(x, F)) statics_.blame(F, e_);
@@ -155,7 +192,7 @@ class Solver {
           "there "
           "one near the start? Try another start pose",
           100.0 * e_.load, e_.worst, e_.residual, e_.unit);
-      return;
+      return std::move(e_);
     }
     look_at_stiffness();
     const char* route[] = {"directly", "by load steps", "by relaxation"};
@@ -163,13 +200,21 @@ class Solver {
                             e_.neutral  ? "with a motion that nothing holds"
                             : e_.stable ? "stable"
                                         : "unstable");
+    return std::move(e_);
   }
 
-  void look_at_stiffness() {
+  /// The stiffness against motions that the joints allow, at rest at `state`.
+  struct Stiffness {
+    double lowest = 0.0;    // [1/s^2]
+    bool negative = false;  // beyond rounding
+    bool neutral = false;   // a motion without stiffness
+    Vector soft, way_down;  // [n] the softest motion and that of the lowest stiffness
+  };
+  std::optional<Stiffness> stiffness_at(const State& state) {
     const System& system = statics_.dynamics().system();
-    if (system.dofs() + system.states() > largest_linearisation) return;
-    const Linearisation l = linearise_at(statics_.dynamics(), e_.state);
-    if (l.degrees_of_freedom() == 0) return;
+    if (system.dofs() + system.states() > largest_linearisation) return std::nullopt;
+    const Linearisation l = linearise_at(statics_.dynamics(), state);
+    if (l.degrees_of_freedom() == 0) return std::nullopt;
     Eigen::MatrixXd K = l.K_reduced;
     if (l.z_z.rows() > 0) {
       const Eigen::FullPivLU<Eigen::MatrixXd> own(Eigen::MatrixXd(l.z_z));
@@ -177,24 +222,47 @@ class Solver {
     }
     const auto [eigenvalues, vectors] = general_spectrum("equilibrium", K);
     const Vector values = eigenvalues.real();
-    Eigen::Index lowest = 0;
-    e_.lowest_stiffness = values.minCoeff(&lowest);
-    const double largest = std::max(eigenvalues.cwiseAbs().maxCoeff(), 1e-12);
-    e_.stable = values[lowest] > -neutral_below * largest;
-    Eigen::Index softest = 0;
-    e_.neutral = values.cwiseAbs().minCoeff(&softest) <= neutral_below * largest;
+    Eigen::Index lowest = 0, softest = 0;
+    Stiffness s;
+    s.lowest = values.minCoeff(&lowest);
+    const double least = values.cwiseAbs().minCoeff(&softest);
+    // Stiffness that the forces at hand could not notice is none.
+    const double rounding = neutral_below * std::max(eigenvalues.cwiseAbs().maxCoeff(),
+                                                     statics_.noticeable_stiffness());
+    s.negative = s.lowest < -rounding;
+    s.neutral = least <= rounding;
+    s.soft = l.basis * vectors.col(softest).real();
+    s.way_down = l.basis * vectors.col(lowest).real();
+    return s;
+  }
+
+  bool is_stable(const Vector& x) {
+    statics_.set(x);
+    const std::optional<Stiffness> s = stiffness_at(statics_.state());
+    if (!s || !s->negative) return true;
+    way_down_ = s->way_down;
+    return false;
+  }
+
+  void look_at_stiffness() {
+    const std::optional<Stiffness> s = stiffness_at(e_.state);
+    if (!s) return;
+    e_.lowest_stiffness = s->lowest;
+    e_.stable = !s->negative;
+    e_.neutral = s->neutral;
     if (!e_.neutral || options_.allow_neutral) return;
     Eigen::Index which = 0;
-    (l.basis * vectors.col(softest).real()).cwiseAbs().maxCoeff(&which);
+    s->soft.cwiseAbs().maxCoeff(&which);
     throw ModelError(fmt::format(
         "equilibrium: nothing holds '{}': it can move ({}) without a force; hold it, or "
         "accept it: allow_neutral, --allow-neutral of the program",
-        system.model().bodies()[at(which / 3 + 1)].name,
+        statics_.dynamics().system().model().bodies()[at(which / 3 + 1)].name,
         which % 3 == 2   ? "turn"
         : which % 3 == 0 ? "along x"
                          : "along y"));
   }
 
+  Vector way_down_;
   const EquilibriumOptions& options_;
   Statics statics_;
   Equilibrium e_;

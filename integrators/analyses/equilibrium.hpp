@@ -3,8 +3,9 @@
 //
 // Static equilibrium: Q(q, 0, z, t) - G^T lambda = 0, z' = 0, Phi(q, t) = 0. Newton's iteration
 // with line search (KINSOL) with exact derivatives; contacts act where they penetrate. If that
-// fails, the loads are applied gradually. If the mechanism has to leave its branch (it falls on a
-// floor, it snaps through), it follows its forces without inertia until it comes to rest.
+// fails, the loads are applied gradually. If that fails too, or all that is found is unstable and
+// away from the start, the mechanism follows its forces without inertia, downhill along its joints,
+// until it comes to rest: where the potential energy is bounded below that ends at an equilibrium.
 #pragma once
 
 #include <optional>
@@ -45,7 +46,9 @@ struct Equilibrium {
   /// > 0 stable, then the square of the lowest natural frequency if nothing else moves; none for a
   /// model that cannot move or one larger than largest_linearisation.
   std::optional<double> lowest_stiffness;
-  bool stable = true;    // no negative stiffness
+  /// No negative stiffness. An unstable equilibrium is the answer only if the start stands on it
+  /// (within 0.05 length scales or rad), or if no other is found.
+  bool stable = true;
   bool neutral = false;  // a motion without stiffness is left
 
   double operator[](std::string_view column) const { return row.value(0, row.index(column)); }

@@ -7,6 +7,7 @@
 
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/integrators/analyses/details/linearisation.hpp>
+#include <yoke/integrators/analyses/details/lowest_modes.hpp>
 #include <yoke/integrators/analyses/details/spectrum.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 
@@ -14,6 +15,8 @@ namespace yoke {
 
 namespace {
 
+constexpr int largest_dense = 300;  // coordinates and states, if only the lowest modes are wanted
+constexpr int default_lowest = 10;
 constexpr double symmetric_below = 1e-10;  // of the largest entry
 constexpr double zero_frequency = 1e-12;   // of the largest squared frequency
 constexpr double zero_eigenvalue = 1e-7;   // of the largest, in the general problem
@@ -82,6 +85,61 @@ void solve_general(Modes& found) {
   }
 }
 
+bool undamped_at_rest(const Linearisation& l) {
+  if (l.z_z.rows() > 0 || l.C.norm() > 0.0) return false;
+  const Linearisation::Sparse transpose = l.K.transpose();
+  return (l.K - transpose).norm() <= symmetric_below * l.K.norm();
+}
+
+void find_lowest(Modes& found, int count) {
+  const Linearisation& l = found.linearisation;
+  if (undamped_at_rest(l)) {
+    const LowestModes lowest = lowest_undamped(l, std::min(count, l.degrees_of_freedom()));
+    for (std::size_t i = 0; i < lowest.values.size(); ++i) {
+      const std::complex<double> s = lowest.values[i];
+      found.modes.push_back(make_mode(s, lowest.shapes[i], l.mass));
+      if (s.real() <= 0.0) continue;
+      found.stable = false;
+      found.modes.push_back(make_mode(-s, lowest.shapes[i], l.mass));
+    }
+    return;
+  }
+  const int states = 2 * l.degrees_of_freedom() + static_cast<int>(l.z_z.rows());
+  const LowestModes lowest = lowest_general(l, std::min(2 * count, states));
+  double largest = 0.0;
+  for (const std::complex<double>& s : lowest.values) largest = std::max(largest, std::abs(s));
+  int zeros = 0;
+  for (std::size_t i = 0; i < lowest.values.size(); ++i) {
+    const bool zero = std::abs(lowest.values[i]) <= zero_eigenvalue * largest;
+    const std::complex<double> s = zero ? 0.0 : lowest.values[i];
+    if (s.imag() < 0.0 || (zero && ++zeros % 2 == 0)) continue;
+    if (s.real() > 1e-9 * largest) found.stable = false;
+    found.modes.push_back(make_mode(s, lowest.shapes[i], l.mass));
+  }
+}
+
+Modes lowest_modes(Dynamics& dynamics, const State& state, int count) {
+  Modes found;
+  const System& system = dynamics.system();
+  if (state.v.cwiseAbs().maxCoeff() > 0.0)
+    throw ModelError(
+        fmt::format("modes: {} coordinates and element states are too many for the modes of a "
+                    "motion, which need dense matrices (at most {}); those at rest are found",
+                    system.dofs() + system.states(), largest_linearisation));
+  found.linearisation = linearise_sparse(dynamics, state);
+  if (found.linearisation.degrees_of_freedom() == 0) return found;
+  find_lowest(found, count);
+  double rate = 0.0;
+  for (const Mode& mode : found.modes) rate = std::max(rate, std::abs(mode.eigenvalue));
+  found.linearisation.warning = restlessness(system, state, rate);
+  return found;
+}
+
+void sort_by_frequency(std::vector<Mode>& list) {
+  std::ranges::stable_sort(list,
+                           [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
+}
+
 }  // namespace
 
 Linearisation linearise(const Model& model, const State& given) {
@@ -99,16 +157,30 @@ Linearisation linearise(const Model& model, const State& given) {
   return linearise_at(dynamics, l.state);
 }
 
-Modes modes(const Model& model, const State& state) {
+Modes modes(const Model& model, const State& given, const ModesOptions& options) {
+  if (options.lowest < 0)
+    throw ModelError(fmt::format("modes: lowest = {} must be at least 0", options.lowest));
+  check_model(model);
+  check_state(model, given);
+  Dynamics dynamics(model);
+  State state = given;
+  if (const Outcome outcome = dynamics.assemble(state); !outcome) throw ModelError(outcome.why);
+  const int size = dynamics.system().dofs() + dynamics.system().states();
+  const int dense = options.lowest > 0 ? largest_dense : largest_linearisation;
   Modes found;
-  found.linearisation = linearise(model, state);
-  if (found.linearisation.degrees_of_freedom() == 0) return found;
-  if (undamped(found.linearisation))
-    solve_undamped(found);
-  else
-    solve_general(found);
-  std::ranges::stable_sort(found.modes,
-                           [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
+  if (size > dense) {
+    found = lowest_modes(dynamics, state, options.lowest > 0 ? options.lowest : default_lowest);
+  } else {
+    found.linearisation = linearise_at(dynamics, state);
+    if (found.linearisation.degrees_of_freedom() == 0) return found;
+    if (undamped(found.linearisation))
+      solve_undamped(found);
+    else
+      solve_general(found);
+  }
+  sort_by_frequency(found.modes);
+  const auto wanted = static_cast<std::size_t>(options.lowest);
+  if (wanted > 0 && found.modes.size() > wanted) found.modes.resize(wanted, Mode{});
   return found;
 }
 

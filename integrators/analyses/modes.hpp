@@ -26,7 +26,8 @@
 
 namespace yoke {
 
-/// Largest number of coordinates (3 per body) and element states together: the matrices are dense.
+/// Largest number of coordinates (3 per body) and element states together for which the reduced
+/// matrices, which are dense, are made; modes() finds the lowest modes of larger models without them.
 inline constexpr int largest_linearisation = 1500;
 
 struct Linearisation {
@@ -47,7 +48,9 @@ struct Linearisation {
   /// Empty, or why the state is no equilibrium: what moves or is accelerated most.
   std::string warning;
 
-  int degrees_of_freedom() const { return static_cast<int>(basis.cols()); }
+  /// 3 per body less the independent equations.
+  int degrees_of_freedom() const { return freedom; }
+  int freedom = 0;
 };
 
 /// About `state`, which is assembled first. Contacts are linearised as they are: in contact or
@@ -74,9 +77,22 @@ struct Modes {
   bool stable = true;
 };
 
+struct ModesOptions {
+  /// The lowest modes that are wanted, at least this many; 0: all, or 10 of a model that is larger
+  /// than largest_linearisation.
+  int lowest = 0;
+};
+
 /// One mode for each pair of conjugate eigenvalues; an overdamped coordinate gives two. Without
 /// dampers and element states the symmetric problem is solved, else the general one; there an
 /// eigenvalue below 1e-7 of the largest is rounding and counts as zero.
-Modes modes(const Model& model, const State& state);
+///
+/// A model larger than largest_linearisation, or of more than 300 coordinates and states if `lowest`
+/// is given, is not reduced: the basis and the reduced matrices in `linearisation` are empty, and the
+/// modes nearest to zero are found from the sparse matrices by shift and inversion (Spectra, KLU), in
+/// a time that grows with the size of a chain. `stable` then speaks of these modes only. The state
+/// must be at rest. Throws ModelError for a negative number, a large model in motion, and if the
+/// iteration does not converge.
+Modes modes(const Model& model, const State& state, const ModesOptions& options = {});
 
 }  // namespace yoke

@@ -76,10 +76,11 @@ std::string blame_element(const System& system) {
 
 std::string blame_surroundings(Dynamics& dynamics, State& there,
                                const std::vector<EventRecord>& events,
-                               std::span<const double, 3> last_steps) {
+                               std::span<const double, 3> last_steps, bool too_tight) {
   return fmt::format(
-      ": a force or driver has no limit there, or the tolerance is too tight{}; try a looser "
-      "tolerance or another formulation; last steps {:.1e}, {:.1e}, {:.1e} s{}",
+      ": {}{}; last steps {:.1e}, {:.1e}, {:.1e} s{}",
+      too_tight ? "the tolerance is too tight for this formulation: a looser one gets on from there"
+                : "a force, driver or joint has no limit there; try another formulation",
       last_event(events), last_steps[0], last_steps[1], last_steps[2],
       most_violent(dynamics, there));
 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/core/equations/least_change.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
+#include <yoke/integrators/run/failure_messages.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 
 namespace yoke {
@@ -20,13 +20,14 @@ constexpr double small_correction = 0.1;  // of the step
 constexpr double largest_move = 0.1;      // length scales or rad in one step
 // Near a singular position branches are close: they part at a distance of about the root of the
 // independence. A step is a part of that, but need not be smaller than `always_allowed`.
-constexpr double part_of_distance = 0.3;
+constexpr double part_of_distance = 0.1;
 constexpr double always_allowed = 1e-5;
 constexpr double singular = 1e-10;  // independence where nothing but the past tells the velocities
 constexpr double coasting =
     1e-12;  // violation after a step by prediction alone, length scales or rad
-constexpr double rounding = 1e-9;      // length scales or rad: a correction that needs no excuse
-constexpr double worth_a_look = 0.05;  // independence of a minimum that is located
+constexpr double rounding = 1e-9;  // length scales or rad: a correction that needs no excuse
+constexpr double nearly_dependent = 1e-4;  // independence at a dead point, as near as one can go
+constexpr double worth_a_look = 0.05;      // independence of a minimum that is located
 
 /// Bodies that the constraints let move at this pose, at most five.
 std::vector<std::string> movable_bodies(Dynamics& dynamics, const State& state) {
@@ -67,9 +68,28 @@ DrivenMotion::DrivenMotion(const Model& model, std::string_view analysis, double
   dynamics_.reset();
   if (!dynamics_.project(state_))
     throw ModelError(fmt::format("{}: accelerations at the start are not finite", analysis));
+  begin(until);
+}
+
+DrivenMotion::DrivenMotion(const Model& model, const State& from, const std::vector<int>& dropped,
+                           double until)
+    : dynamics_(model), state_(from) {
+  System& system = dynamics_.system();
+  system.bind(state_);
+  system.set_scales({.length = system.natural_length(), .time = 1.0});
+  dynamics_.leave_out(dropped);
+  if (!dynamics_.project(state_)) throw ModelError(not_projected("", from.t));
+  begin(until);
+}
+
+void DrivenMotion::begin(double until) {
   trial_ = state_;
   span_ = until - state_.t;
   h_ = span_;
+}
+
+double DrivenMotion::independence(const State& state, int iterations) {
+  return dynamics_.independence(state.t, state.q.data(), iterations);
 }
 
 void DrivenMotion::require_driven(const Model& model, std::string_view analysis) const {
@@ -118,7 +138,7 @@ bool DrivenMotion::solve_near(const State& from, double t, State& state) {
 // to it they are lost to rounding (as 1/independence and more). The motion that came there goes
 // through: over so short a way its prediction is as good as rounding.
 bool DrivenMotion::coasts(const State& from, State& state) {
-  if (dynamics_.independence(state.t, state.q.data(), 3) > singular) return false;
+  if (independence(state, 3) > singular) return false;
   state.a = from.a;
   state.lambda = from.lambda;
   const double length = dynamics_.system().scales().length, time = state.t - from.t;
@@ -146,7 +166,7 @@ bool DrivenMotion::advance(double t, const Observer& observer) {
       continue;
     }
     h_ = 0.5 * h;
-    if (h_ > shortest_step * span_) continue;
+    if (h_ > shortest_step * span_ && state_.t + h_ > state_.t) continue;
     explain_failure(h_);
     return false;
   }
@@ -154,27 +174,42 @@ bool DrivenMotion::advance(double t, const Observer& observer) {
 }
 
 bool DrivenMotion::keeps_to_branch() {
-  const double independence = dynamics_.independence(trial_.t, trial_.q.data(), 3);
   const double move = distance(trial_.q, state_.q);
-  return move <= std::max(always_allowed, part_of_distance * std::sqrt(independence));
+  return move <= std::max(always_allowed, part_of_distance * std::sqrt(independence(trial_, 3)));
 }
 
 void DrivenMotion::explain_failure(double h) {
-  const double independence = dynamics_.independence(state_.t, state_.q.data(), 30);
-  const std::string equation = dynamics_.system().equation_name(dynamics_.weakest_row());
-  if (!dynamics_.system().not_finite().empty())
+  const int violated = dynamics_.worst_row();
+  const double value = independence(state_, 30);
+  const System& system = dynamics_.system();
+  at_dead_point_ = system.not_finite().empty() && value < nearly_dependent;
+  if (!system.not_finite().empty())
     failure_ = fmt::format("'{}' gives a value that is not finite after t = {:.9g} s",
-                           dynamics_.system().not_finite(), state_.t);
-  else if (independence < 1e-4)
+                           system.not_finite(), state_.t);
+  else if (at_dead_point_)
     failure_ = fmt::format(
         "dead point at t = {:.9g} s: the drivers cannot take the mechanism any further; '{}' is "
-        "nearly dependent on the other equations there (independence {:.1e}, 1 is best)",
-        state_.t, equation, independence);
+        "nearly dependent on the other equations there",
+        state_.t, system.equation_name(dynamics_.weakest_row()));
   else
     failure_ = fmt::format(
         "no position near that at t = {:.9g} s satisfies all joints {:g} s later, though the "
         "Jacobian is regular ({:.1e}): does a driver jump? Worst equation '{}'",
-        state_.t, h, independence, dynamics_.system().equation_name(dynamics_.worst_row()));
+        state_.t, h, value, system.equation_name(violated));
+}
+
+std::string find_dead_point(const Model& model, const State& from, const std::vector<int>& dropped,
+                            double t_failed, double reach) {
+  const bool driven =
+      std::ranges::any_of(model.constraints(), [](const auto& c) { return c->rheonomic(); });
+  if (!driven) return {};
+  try {
+    DrivenMotion motion(model, from, dropped, t_failed + reach);
+    if (motion.advance(t_failed + reach)) return {};
+    return motion.at_dead_point() ? motion.failure() : "";
+  } catch (const std::exception&) {  // whatever it is, it is not this
+    return {};
+  }
 }
 
 SingularityWatch::SingularityWatch(DrivenMotion& motion, double warn_below)

@@ -17,32 +17,6 @@ constexpr double at_rest = 1e-7;          // of the fastest mode, in length scal
 
 using Matrix = Eigen::MatrixXd;
 
-/// What moves or is accelerated most, if anything does in comparison with `rate` [1/s].
-std::string restlessness(const System& system, const State& state, double rate) {
-  const double length = system.scales().length;
-  double speed = 0.0, acceleration = 0.0;
-  std::size_t fastest = 0, pushed = 0;
-  for (Eigen::Index i = 0; i < state.v.size(); ++i) {
-    const double size = i % 3 == 2 ? 1.0 : length;
-    const auto body = static_cast<std::size_t>(i / 3 + 1);
-    if (const double v = std::abs(state.v[i]) / size; v > speed) speed = v, fastest = body;
-    if (const double a = std::abs(state.a[i]) / size; a > acceleration)
-      acceleration = a, pushed = body;
-  }
-  const std::vector<Body>& bodies = system.model().bodies();
-  if (speed > at_rest * std::max(rate, 1e-3))
-    return fmt::format(
-        "the state is no equilibrium: '{}' moves ({:.3g} length scales or rad per s); the "
-        "coefficients are those of the instant",
-        bodies[fastest].name, speed);
-  if (acceleration > at_rest * std::max(rate * rate, 1e-3))
-    return fmt::format(
-        "the state is no equilibrium: '{}' is accelerated ({:.3g} length scales or rad per s^2); "
-        "the coefficients are those of the instant",
-        bodies[pushed].name, acceleration);
-  return {};
-}
-
 /// Motions the joints allow: an orthonormal basis of the null space of G M^-1/2, and an orthonormal
 /// basis of its row space with what solves G M^-1/2 x = b there.
 class AllowedMotions {
@@ -110,7 +84,32 @@ void reduce(Linearisation& l) {
 
 }  // namespace
 
-Linearisation linearise_at(Dynamics& dynamics, const State& state) {
+std::string restlessness(const System& system, const State& state, double rate) {
+  const double length = system.scales().length;
+  double speed = 0.0, acceleration = 0.0;
+  std::size_t fastest = 0, pushed = 0;
+  for (Eigen::Index i = 0; i < state.v.size(); ++i) {
+    const double size = i % 3 == 2 ? 1.0 : length;
+    const auto body = static_cast<std::size_t>(i / 3 + 1);
+    if (const double v = std::abs(state.v[i]) / size; v > speed) speed = v, fastest = body;
+    if (const double a = std::abs(state.a[i]) / size; a > acceleration)
+      acceleration = a, pushed = body;
+  }
+  const std::vector<Body>& bodies = system.model().bodies();
+  if (speed > at_rest * std::max(rate, 1e-3))
+    return fmt::format(
+        "the state is no equilibrium: '{}' moves ({:.3g} length scales or rad per s); the "
+        "coefficients are those of the instant",
+        bodies[fastest].name, speed);
+  if (acceleration > at_rest * std::max(rate * rate, 1e-3))
+    return fmt::format(
+        "the state is no equilibrium: '{}' is accelerated ({:.3g} length scales or rad per s^2); "
+        "the coefficients are those of the instant",
+        bodies[pushed].name, acceleration);
+  return {};
+}
+
+Linearisation linearise_sparse(Dynamics& dynamics, const State& state) {
   const System& system = dynamics.system();
   Linearisation l;
   l.state = state;
@@ -124,7 +123,15 @@ Linearisation linearise_at(Dynamics& dynamics, const State& state) {
   l.z_q = std::move(tangent.z_q);
   l.z_v = std::move(tangent.z_v);
   l.z_z = std::move(tangent.z_z);
+  l.freedom = system.dofs() - system.rows() + static_cast<int>(system.dropped_rows().size());
+  return l;
+}
+
+Linearisation linearise_at(Dynamics& dynamics, const State& state) {
+  const System& system = dynamics.system();
+  Linearisation l = linearise_sparse(dynamics, state);
   reduce(l);
+  l.freedom = static_cast<int>(l.basis.cols());
   if (!l.A.allFinite())
     throw ModelError("linearisation: a derivative of an element is not finite at this state");
   const double rate = l.K_reduced.size() > 0 ? std::sqrt(l.K_reduced.cwiseAbs().maxCoeff()) : 0.0;

@@ -10,5 +10,9 @@
 namespace yoke {
 
 Linearisation linearise_at(Dynamics& dynamics, const State& state);
+/// The sparse matrices alone: basis, basis_rate, C_reduced, K_reduced and A are empty.
+Linearisation linearise_sparse(Dynamics& dynamics, const State& state);
+/// Empty, or what moves or is accelerated most in comparison with `rate` [1/s].
+std::string restlessness(const System& system, const State& state, double rate);
 
 }  // namespace yoke

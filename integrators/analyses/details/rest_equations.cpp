@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace yoke {
 
 namespace {
 
 constexpr double regularisation = 1e-9;  // scaled, where the derivative is singular
+constexpr double rounding_share = 256.0 * std::numeric_limits<double>::epsilon();  // of the terms
 
 using Vector = Eigen::VectorXd;
 
@@ -125,6 +127,84 @@ NonlinearProblem Statics::problem() {
           .factorise = [this](const Vector& x) { return factorise(x); },
           .solve = [this](Vector& b) { return solve(b); },
           .multiply = [this](const Vector& x, Vector& Jx) { multiply(x, Jx); }};
+}
+
+double Statics::largest_displacement(const Vector& dx) const {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < n_; i += 3) largest = std::max(largest, dx.segment<2>(i).norm());
+  return largest;
+}
+
+double Statics::largest_turn(const Vector& dx) const {
+  double largest = 0.0;
+  for (Eigen::Index i = 2; i < n_; i += 3) largest = std::max(largest, std::abs(dx[i]));
+  return largest;
+}
+
+bool Statics::is_rounding(const Vector& x, const Vector& F) {
+  set(x);
+  const Tangent t = calc_tangent(system_, state_, share_);
+  // Of coordinates: an angle enters by its sine, which is of order one however small it is.
+  Vector q = state_.q.cwiseAbs(), lambda = state_.lambda.cwiseAbs();
+  for (Eigen::Index i = 2; i < n_; i += 3) q[i] = std::max(q[i], 1.0);
+  Vector force =
+      t.Q_q.cwiseAbs() * q + t.K_lambda.cwiseAbs() * q + t.G.cwiseAbs().transpose() * lambda;
+  std::vector<double> local;
+  for (std::size_t k = 0; k < system_.forces().size(); ++k) {
+    const ForceSlot& f = system_.forces()[k];
+    local.assign(at(f.columns), 0.0);
+    f.element->evaluate(system_.force_input(f), {.Q = local.data()});
+    for (Eigen::Index j = 0; j < f.columns; ++j)
+      if (const int dof = system_.dof()[at(f.dofs + j)]; dof >= 0)
+        force[dof] += std::abs(share_[k] * local[at(j)]);
+  }
+  const Vector phi = t.G.cwiseAbs() * q;
+  const Vector rate = t.z_q.cwiseAbs() * q + t.z_z.cwiseAbs() * state_.z.cwiseAbs();
+  for (Eigen::Index i = 0; i < n_; ++i)
+    if (!(std::abs(F[i]) <= rounding_share * force[i] * size(i) / (force_ * length_))) return false;
+  for (Eigen::Index i = 0; i < nz_; ++i)
+    if (!(std::abs(F[n_ + i]) <= rounding_share * rate[i])) return false;
+  for (Eigen::Index i = 0; i < rows_; ++i)
+    if (!(std::abs(F[n_ + nz_ + i]) <= rounding_share * std::max(1.0, phi[i] / measure(i))))
+      return false;
+  return true;
+}
+
+double Statics::work(const Vector& x, const Vector& y, int points) {
+  constexpr double node[] = {0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                             -0.9061798459386640};
+  constexpr double weight[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
+                               0.2369268850561891, 0.2369268850561891};
+  double sum = 0.0;
+  for (int k = 0; k < points; ++k) {
+    const Vector between = points == 1 ? x : x + 0.5 * (1.0 + node[k]) * (y - x);
+    set(between);
+    Vector force = Vector::Zero(n_ + 1), z_dot = Vector::Zero(nz_);
+    add_forces(force, z_dot);
+    double power = 0.0;
+    for (Eigen::Index i = 0; i < n_; ++i) power += force[i] * size(i) * (y[i] - x[i]);
+    sum += (points == 1 ? 1.0 : 0.5 * weight[k]) * power;
+  }
+  return sum / (force_ * length_);
+}
+
+double Statics::inertial(const Vector& d) const {
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < n_; ++i) sum += system_.mass()[at(i)] * std::pow(size(i) * d[i], 2);
+  return sum / (mean_mass() * length_ * length_);
+}
+
+bool Statics::project(Vector& x) {
+  set(x);
+  if (!dynamics_.project_positions(state_.t, state_.q.data())) return false;
+  for (Eigen::Index i = 0; i < n_; ++i) x[i] = (state_.q[i] - start_[i]) / size(i);
+  return true;
+}
+
+void Statics::displace(const Vector& direction, double size_of_move, Vector& x) const {
+  Vector scaled(n_);
+  for (Eigen::Index i = 0; i < n_; ++i) scaled[i] = direction[i] / size(i);
+  x.head(n_) += size_of_move / scaled.cwiseAbs().maxCoeff() * scaled;
 }
 
 void Statics::blame(const Vector& F, Equilibrium& e) const {

@@ -45,6 +45,31 @@ class Statics {
   /// Positions only, in length scales or rad.
   double move(const Vector& dx) const { return n_ > 0 ? dx.head(n_).cwiseAbs().maxCoeff() : 0.0; }
 
+  /// Is F at x no more than rounding leaves of the terms it is the sum of?
+  bool is_rounding(const Vector& x, const Vector& F);
+  /// Work of the forces on the straight way from x to y, scaled like force times length: Gauss's
+  /// rule with 5 points, or the slope at x times the way with 1.
+  double work(const Vector& x, const Vector& y, int points);
+  /// d^T M d, scaled as factorise() adds it.
+  double inertial(const Vector& d) const;
+  /// Moves the positions of x to the nearest on the joints.
+  bool project(Vector& x);
+  /// Right-hand sides without the violation of the joints, which is left to project(): under much
+  /// inertia even that of rounding would need huge multipliers.
+  Vector along_joints(Vector b) const {
+    b.tail(rows_).setZero();
+    return b;
+  }
+  /// [1/s^2] Of the largest force per length scale on the mean mass.
+  double noticeable_stiffness() const { return force_ / (length_ * mean_mass()); }
+  /// The multipliers' part of a step.
+  void add_multipliers(const Vector& step, Vector& x) const { x.tail(rows_) += step.tail(rows_); }
+  /// x displaced by `size` [length scales or rad] along a direction of the coordinates [n].
+  void displace(const Vector& direction, double size_of_move, Vector& x) const;
+
+  double largest_displacement(const Vector& dx) const;  ///< of a centre, in length scales
+  double largest_turn(const Vector& dx) const;          ///< [rad]
+
   /// The body or equation with the largest residual.
   void blame(const Vector& F, Equilibrium& e) const;
 

@@ -111,8 +111,8 @@ namespace {
 /// coarse for a fast driver or lost in rounding; a wrong rate fits none. What cannot be evaluated
 /// is left to the run, which reports it with its time.
 bool rate_fits(System& system, const ConstraintSlot& c, const State& state, double t, double span) {
-  const auto rows = static_cast<std::size_t>(c.rows);
-  std::vector<double> before(rows), after(rows), rate(rows);
+  const auto rows = static_cast<std::size_t>(c.rows), columns = static_cast<std::size_t>(c.columns);
+  std::vector<double> before(rows), after(rows), rate(rows), G(rows * columns), coordinates(rows);
   const auto evaluate = [&](double time, const ConstraintRequest& out) {
     system.set_motion(time, state.q.data(), state.v.data());
     c.element->evaluate(system.motion(), out);
@@ -123,13 +123,19 @@ bool rate_fits(System& system, const ConstraintSlot& c, const State& state, doub
     evaluate(t, {.phi_t = rate.data()});
     for (std::size_t i = 0; i < rows; ++i) {
       const double change = (after[i] - before[i]) / (2.0 * h);
-      const double size = std::abs(after[i]) + std::abs(before[i]) + std::abs(t * rate[i]);
+      const double size = std::abs(after[i]) + std::abs(before[i]) + std::abs(t * rate[i]) +
+                          2.0 * coordinates[i];  // what Phi is the difference of
       const double bound = 1e-3 * (std::abs(change) + std::abs(rate[i])) + 1e-15 * size / h;
       if (std::abs(change - rate[i]) > bound) return false;
     }
     return true;
   };
   try {
+    evaluate(t, {.G = G.data()});
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j)
+        if (const int dof = system.dof()[static_cast<std::size_t>(c.dofs) + j]; dof >= 0)
+          coordinates[i] += std::abs(G[i * columns + j] * state.q[dof]);
     return fits(1e-6 * span) || fits(1e-8 * span) || fits(1e-10 * span);
   } catch (const std::exception&) {
     return true;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Where the potential energy is bounded below an equilibrium is found, and what is called stable is
+// a minimum of the energy.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/integrators/analyses/equilibrium.hpp>
+#include <yoke/tests/integrators/analyses/random_held.hpp>
+#include <yoke/tests/messages.hpp>
+
+namespace {
+
+using namespace yoke;
+using namespace yoke::tests;
+
+double energy(Dynamics& dynamics, const State& state) {
+  System& system = dynamics.system();
+  system.bind(state);
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  const EnergyTerms terms = system.calc_energy();
+  return terms.potential + terms.stored;
+}
+
+/// The forces on all coordinates [N, N m], joints included if `lambda` is given.
+Eigen::VectorXd forces(Dynamics& dynamics, const State& state, const double* lambda = nullptr) {
+  System& system = dynamics.system();
+  system.bind(state);
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  std::vector<double> phi(static_cast<std::size_t>(system.rows()));
+  system.calc_position_level(phi.data());
+  Eigen::VectorXd Q = Eigen::VectorXd::Zero(system.dofs() + 1);
+  system.add_forces(Q.data(), nullptr, nullptr);
+  if (lambda != nullptr) system.subtract_constraint_forces(lambda, Q.data());
+  return Q.head(system.dofs());
+}
+
+/// The largest force that is left on a body, in parts of the largest at the start.
+double imbalance(Dynamics& dynamics, const State& rest) {
+  const State start = dynamics.system().model().start_state();
+  const double largest = std::max(1.0, forces(dynamics, start).cwiseAbs().maxCoeff());
+  return forces(dynamics, rest, rest.lambda.data()).cwiseAbs().maxCoeff() / largest;
+}
+
+/// By how much the energy falls at most when the mechanism is moved a little, at random, along its
+/// joints.
+double largest_fall(const Model& model, const State& rest) {
+  Dynamics dynamics(model);
+  State state = rest;
+  REQUIRE(dynamics.assemble(state));
+  const double least = energy(dynamics, state);
+  std::mt19937_64 random(7);
+  double fall = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    State beside = state;
+    for (double& q : beside.q)
+      q += 1e-4 * (2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
+    if (!dynamics.project_positions(beside.t, beside.q.data(), Correction::exact)) continue;
+    fall = std::max(fall, least - energy(dynamics, beside));
+  }
+  return fall / std::max(1.0, std::abs(least));
+}
+
+}  // namespace
+
+TEST_CASE("an equilibrium of every mechanism that springs, gravity and joints hold is found") {
+  int stable = 0, minima = 0;
+  for (unsigned seed = 1; seed <= 335; ++seed) {
+    INFO("seed " << seed);
+    const Model model = held_mechanism(seed);
+    const Equilibrium e = equilibrium(model, {.allow_neutral = true});
+    CHECK_MESSAGE(e.found, e.reason);
+    if (!e.found) continue;
+    Dynamics dynamics(model);
+    CHECK(imbalance(dynamics, e.state) < 1e-9);
+    CHECK(dynamics.position_violation(e.state) < 1e-10);
+    stable += e.stable ? 1 : 0;
+    if (!e.stable || e.neutral) continue;
+    ++minima;
+    CHECK(largest_fall(model, e.state) < 1e-12);
+  }
+  CHECK(stable >= 330);
+  CHECK(minima > 200);
+}
+
+TEST_CASE("a light body on a stiff spring, stretched at the start, hangs straight down") {
+  Model m;
+  const double k = 1e4, mass = 0.029;
+  const BodyId body =
+      m.add(Body{.name = "body", .mass = mass, .inertia = 1e-4, .pose = {{0.4, 0.3}, 0.5}});
+  const Vec2 end(0.45, 0.36);
+  m.add(TranslationalSpring{.name = "spring",
+                            .a = ground,
+                            .b = body,
+                            .at_a = {0.0, 0.0},
+                            .at_b = end,
+                            .stiffness = k,
+                            .free_length = 0.5 * end.norm()});
+  m.add(Gravity{});
+  const double arm = (end - Vec2(0.4, 0.3)).norm();
+  const Equilibrium e = equilibrium(m);
+  REQUIRE_MESSAGE(e.found, e.reason);
+  CHECK(e.stable);
+  CHECK(std::abs(e["body.x_m"]) < 1e-9);
+  CHECK(e["body.y_m"] ==
+        doctest::Approx(-(0.5 * end.norm() + mass * 9.81 / k + arm)).epsilon(1e-10));
+}
+
+TEST_CASE("a start away from any equilibrium goes to a stable one, a start on one stays") {
+  const auto pendulum = [](double angle) {
+    Model m;
+    const BodyId rod = m.add(Body{
+        .name = "rod", .mass = 2.0, .inertia = 0.2, .pose = {rotate(angle, {0.5, 0.0}), angle}});
+    m.add(Revolute{"pivot", ground, rod, {0.0, 0.0}});
+    m.add(Gravity{});
+    return m;
+  };
+  for (const double angle : {0.3, 1.2, 1.5, 2.9, -0.1}) {
+    const Equilibrium e = equilibrium(pendulum(angle));
+    REQUIRE_MESSAGE(e.found, e.reason);
+    CHECK(e.stable);
+    CHECK(e["rod.y_m"] == doctest::Approx(-0.5));
+  }
+  const Equilibrium upright = equilibrium(pendulum(0.5 * pi));
+  REQUIRE(upright.found);
+  CHECK(!upright.stable);
+  CHECK(upright["rod.y_m"] == doctest::Approx(0.5));
+}
