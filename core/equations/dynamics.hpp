@@ -62,8 +62,6 @@ class Dynamics {
 
   /// Forgets the factorisation, so that a run starts from a fresh one.
   void reset();
-  /// To be called if others have evaluated the System's blocks of G: the factors are not theirs.
-  void forget() { factorised_ = false; }
 
   /// Where accelerations are computed.
   struct Instant {
