@@ -138,7 +138,7 @@ class EnergyRows {
  private:
   // Of the best independence met: below this the powers of drives are lost to rounding, which grows
   // as its power -3/2.
-  static constexpr double lost_below = 1e-6;
+  static constexpr double lost_below = 2e-6;
 
   bool is_lost(const State& state) {
     watch_.see(state);
