@@ -142,6 +142,7 @@ class ContactElement final : public ForceElement {
   void assume_approach(EventContext& context, const Approach& now) const;
   void note_side_of_kink(ContactMemory& memory, const Approach& now) const;
   void begin(EventContext& context, int region, const Approach& now) const;
+  bool works_without_mass(const ContactMemory& memory, const Approach& now) const;
   void end_compression(ContactMemory& memory, double penetration) const;
   void check_limit(EventContext& context, int region, double penetration) const;
   void record(EventContext& context, const char* kind, int region, const Approach& now) const;

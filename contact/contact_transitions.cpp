@@ -152,9 +152,21 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
   memory.onset_time = context.input.motion.t;
   memory.approach_velocity = std::max(now.rate, 0.0);
   memory.effective_mass = context.effective_mass(now.gradient.data());
+  if (context.fail && !std::isfinite(memory.effective_mass) && !works_without_mass(memory, now))
+    context.fail(fmt::format(
+        "{}: the law '{}' damps with the effective mass of the contact, but at t = {:.9g} s drivers "
+        "and joints leave its bodies no motion of their own towards each other: there is none; "
+        "take a law that needs no mass",
+        region_names_[static_cast<std::size_t>(region)], law(region).name(), memory.onset_time));
   note_side_of_kink(memory, now);
   if (now.rate <= 0.0 && law(region).dissipation.needs_largest_penetration())
     end_compression(memory, now.penetration);
+}
+
+bool ContactElement::works_without_mass(const ContactMemory& memory, const Approach& now) const {
+  const double reference = penetration_scale_;
+  const double rate = std::max(now.rate, memory.approach_velocity);
+  return std::isfinite(law(memory.region).evaluate({reference, rate, memory}).force);
 }
 
 /// A contact that is found within the wall: the impact that would have led there is assumed before

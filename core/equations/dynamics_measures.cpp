@@ -65,11 +65,15 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) b_[at(dof)] += direction[j];
   lu_->solve(b_.data());
-  double mobility = 0.0;
+  double mobility = 0.0, terms = 0.0;
   for (int j = 0; j < slot.columns; ++j)
-    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0)
+    if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) {
       mobility += direction[j] * b_[at(dof)];
-  return mobility > 0.0 ? 1.0 / mobility : std::numeric_limits<double>::infinity();
+      terms += direction[j] * direction[j] / system_.mass()[at(dof)];
+    }
+  // What drivers leave of the mobility of the bodies alone may be rounding.
+  return mobility > 64.0 * machine_epsilon * terms ? 1.0 / mobility
+                                                   : std::numeric_limits<double>::infinity();
 }
 
 Violation Dynamics::largest_of(const std::vector<double>& residual) const {

@@ -83,7 +83,9 @@ class Solver {
     if (!statics_.residual(y, F)) return false;
     double norm = F.cwiseAbs().maxCoeff();
     for (int i = 0; i < 12; ++i) {
-      if (!(norm < 1e-2) || !statics_.factorise(y)) return false;
+      if (!(norm < 1e-2)) return false;
+      // Where some motions cost nothing the matrix is singular, and no step is wanted.
+      if (!statics_.factorise(y)) return statics_.is_rounding(y, F) && (x = y, true);
       Vector step = -F;
       if (!statics_.solve(step)) return false;
       const Vector next = y + step;

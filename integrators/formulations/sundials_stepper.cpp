@@ -90,6 +90,12 @@ int SundialsStepper::calc_weights(N_Vector y_vector, N_Vector weights, void* use
   const double* y = NV_DATA_S(y_vector);
   double* w = NV_DATA_S(weights);
   me.floor_.apply(me.q_of(y), me.v_of(y), w, w + me.n_);
+  const auto bound = [&](int first, int count) {
+    for (int i = first; i < first + count; ++i)
+      if (const double rounding = rounding_of(y[i]); rounding * w[i] > 1.0) w[i] = 1.0 / rounding;
+  };
+  bound(2 * me.n_, me.nz_);
+  bound(me.energies_, me.quadratures_);
   return 0;
 }
 

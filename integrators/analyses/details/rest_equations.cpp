@@ -10,7 +10,8 @@ namespace yoke {
 
 namespace {
 
-constexpr double regularisation = 1e-9;  // scaled, where the derivative is singular
+constexpr double regularisation = 1e-9;      // scaled, where the derivative is singular
+constexpr double small_displacement = 1e-9;  // length scales or rad
 constexpr double rounding_share = 256.0 * std::numeric_limits<double>::epsilon();  // of the terms
 
 using Vector = Eigen::VectorXd;
@@ -160,8 +161,11 @@ bool Statics::is_rounding(const Vector& x, const Vector& F) {
   }
   const Vector phi = t.G.cwiseAbs() * q;
   const Vector rate = t.z_q.cwiseAbs() * q + t.z_z.cwiseAbs() * state_.z.cwiseAbs();
+  // Joints hand on what rounding leaves of the largest force.
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < n_; ++i) largest = std::max(largest, force[i] * size(i));
   for (Eigen::Index i = 0; i < n_; ++i)
-    if (!(std::abs(F[i]) <= rounding_share * force[i] * size(i) / (force_ * length_))) return false;
+    if (!(std::abs(F[i]) <= rounding_share * largest / (force_ * length_))) return false;
   for (Eigen::Index i = 0; i < nz_; ++i)
     if (!(std::abs(F[n_ + i]) <= rounding_share * rate[i])) return false;
   for (Eigen::Index i = 0; i < rows_; ++i)
@@ -286,6 +290,14 @@ void Statics::choose_force() {
       if (std::isfinite(value)) force_ = std::max(force_, value);
     }
   }
+  // Springs that are relaxed but for rounding say nothing: what a small displacement costs.
+  const auto stiffness = calc_tangent(system_, state_, share_).Q_q;
+  for (Eigen::Index k = 0; k < stiffness.outerSize(); ++k)
+    for (typename std::decay_t<decltype(stiffness)>::InnerIterator it(stiffness, k); it; ++it) {
+      const double value = std::abs(it.value()) * (it.col() % 3 == 2 ? 1.0 : length_) /
+                           (it.row() % 3 == 2 ? length_ : 1.0);
+      if (std::isfinite(value)) force_ = std::max(force_, small_displacement * value);
+    }
   if (!(force_ > 0.0)) force_ = 1.0;
 }
 
