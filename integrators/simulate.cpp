@@ -69,6 +69,7 @@ class Run {
   std::string explain_stop(double t, Step step);
   bool fail_at(double t, Step step);
   void finish();
+  void note_rounding();
   void summarise();
   void stop(Stop why, std::string reason);
   bool fail(std::string reason);
@@ -402,6 +403,17 @@ void Run::finish() {
     dynamics_.project(state_);
   }
   summarise();
+  note_rounding();
+}
+
+// Once, at the end: how much of the tolerance was out of reach.
+void Run::note_rounding() {
+  const double raised = formulation_->counters().raised;
+  if (raised <= 1.0) return;
+  result_.summary.notes.push_back(
+      fmt::format("rounding: positions and velocities are not known to the tolerance of {:g} "
+                  "everywhere; where it was out of reach up to {:.2g} times as much was allowed",
+                  result_.summary.relative_tolerance, raised));
 }
 
 void Run::summarise() {

@@ -228,6 +228,7 @@ void Arkode::interpolate(double t, State& state) {
 
 StepCounters Arkode::counters() const {
   StepCounters total = before_;
+  total.raised = floor_.raised();
   if (memory_ == nullptr) return total;
   long steps = 0, failures = 0;
   ARKodeGetNumSteps(memory_, &steps);

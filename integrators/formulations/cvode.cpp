@@ -184,6 +184,7 @@ void Cvode::interpolate(double t, State& state) {
 
 StepCounters Cvode::counters() const {
   StepCounters total = before_;
+  total.raised = floor_.raised();
   if (equations_) total.factors = equations_->counters();
   if (memory_ == nullptr) return total;
   long steps = 0, errors = 0, newton = 0, setups = 0;

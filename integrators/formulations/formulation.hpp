@@ -51,6 +51,7 @@ struct StepCounters {
   long jacobians = 0;
   long evaluations = 0;    // of forces for residuals of its own, besides accelerations
   FactorCounters factors;  // of matrices of its own, besides the saddle matrix
+  double raised = 1.0;     // largest factor by which rounding raised a tolerance
 };
 
 class Formulation {

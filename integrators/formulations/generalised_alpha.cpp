@@ -375,6 +375,7 @@ void GeneralisedAlpha::accept() {
 
 StepCounters GeneralisedAlpha::counters() const {
   StepCounters total = counters_;
+  total.raised = floor_.raised();
   total.factors = matrix_.counters();
   return total;
 }

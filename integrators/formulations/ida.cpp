@@ -249,6 +249,7 @@ void Ida::interpolate(double t, State& state) {
 
 StepCounters Ida::counters() const {
   StepCounters total = before_;
+  total.raised = floor_.raised();
   total.factors = equations_.counters();
   total.evaluations = residuals_;
   total.jacobians = matrices_;

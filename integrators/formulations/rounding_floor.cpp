@@ -80,11 +80,11 @@ RoundingFloor::RoundingFloor(const Dynamics& dynamics, const Tolerances& toleran
   }
 }
 
-void RoundingFloor::bound(std::size_t body, double length, double* weight) {
+void RoundingFloor::bound(std::size_t body, double length, double share, double* weight) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double floor = length * yielding_[3 * body + k] / (k == 2 ? arm_[body] : 1.0);
     if (!(floor * weight[k] > 1.0)) continue;
-    raised_ = std::max(raised_, floor * weight[k]);
+    raised_ = std::max(raised_, floor * weight[k] * share);
     weight[k] = 1.0 / floor;
   }
 }
@@ -141,8 +141,8 @@ void RoundingFloor::apply(const double* q, const double* v, double* weight_q, do
     const double position = own_ * size.position;
     double speed = own_ * size.speed;
     if (is_fast_[body] != 0) speed = std::max(speed, steepness_[body] * followed_ * size.position);
-    bound(body, position, weight_q + 3 * body);
-    bound(body, speed, weight_v + 3 * body);
+    bound(body, position, share, weight_q + 3 * body);
+    bound(body, speed, share, weight_v + 3 * body);
   }
 }
 

@@ -42,14 +42,14 @@ class RoundingFloor {
   double arm(int body) const { return arm_[static_cast<std::size_t>(body)]; }  ///< [m]
   /// By how much rounding of heavier bodies is enlarged in coordinate i.
   double yielding(int i) const { return yielding_[static_cast<std::size_t>(i)]; }
-  /// The largest factor by which a tolerance of a position was raised so far, 1: none was.
+  /// The largest factor by which a tolerance was raised so far, 1: none was.
   double raised() const { return raised_; }
 
  private:
   const System& system_;
   double relative_, own_, followed_;
   /// For the weights of three coordinates, whose rounding is `length` (angles: over the arm).
-  void bound(std::size_t body, double length, double* weight);
+  void bound(std::size_t body, double length, double share, double* weight);
   double size_of(std::size_t body, const double* x) const;
   void note_step(const double* q, const double* v);
 

@@ -147,13 +147,18 @@ bool SingularCrossing::choose_other_rows() {
   // Where it is going: on the spot the choice that is about to fail still looks good.
   const double s = std::sqrt(m_), rate = (s - std::sqrt(m_before_));
   const double ahead = rate < 0.0 ? s / -rate * std::max(inner_->last_step(), 0.0) : 0.0;
-  const Eigen::VectorXd q = here_.q + std::min(ahead, system.scales().time) * here_.v;
   std::vector<double> phi(static_cast<std::size_t>(system.rows()));
-  system.set_motion(here_.t, q.data(), here_.v.data());
-  system.calc_position_level(phi.data());
   const std::vector<int> before = system.dropped_rows();
-  const RankAnalysis analysis = analyse_rank(system);
-  const bool other = analysis.dependent.size() == before.size() && analysis.dependent != before;
+  RankAnalysis analysis;
+  bool other = false;
+  for (const double way : {1.0, 2.0, 0.0}) {
+    const Eigen::VectorXd q = here_.q + std::min(way * ahead, system.scales().time) * here_.v;
+    system.set_motion(here_.t, q.data(), here_.v.data());
+    system.calc_position_level(phi.data());
+    analysis = analyse_rank(system);
+    other = analysis.dependent.size() == before.size() && analysis.dependent != before;
+    if (other) break;
+  }
   dynamics_.leave_out({});  // the blocks of G have changed under the factors
   dynamics_.leave_out(other ? analysis.dependent : before);
   if (!other) return false;
@@ -251,6 +256,7 @@ void SingularCrossing::interpolate(double t, State& state) {
 StepCounters SingularCrossing::counters() const {
   StepCounters total = inner_->counters();
   for (const StepCounters* more : {&before_, &own_}) {
+    total.raised = std::max(total.raised, more->raised);
     total.steps += more->steps;
     total.rejected += more->rejected;
     total.jacobians += more->jacobians;
