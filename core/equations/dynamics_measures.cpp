@@ -72,6 +72,13 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
   return mobility > 0.0 ? 1.0 / mobility : std::numeric_limits<double>::infinity();
 }
 
+double Dynamics::mobility(int dof) {
+  std::fill(b_.begin(), b_.end(), 0.0);
+  b_[at(dof)] = 1.0;
+  lu_->solve(b_.data());
+  return std::max(0.0, b_[at(dof)]);
+}
+
 Violation Dynamics::largest_of(const std::vector<double>& residual) const {
   Violation worst;
   for (int i = 0; i < system_.rows(); ++i) {
