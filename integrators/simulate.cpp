@@ -286,7 +286,8 @@ void Run::check_restart() {
   if (standstill_.chatters(state_.t, duration))
     fail(chattering(max_events_in_window, event_window * duration, state_.t, result_.events));
   if (!dynamics_.calc_accelerations(state_))
-    fail(fmt::format("accelerations after the event at t = {:.9g} s are not finite", state_.t));
+    fail(fmt::format("accelerations after the event at t = {:.9g} s are not finite{}", state_.t,
+                     blame_element(dynamics_.system())));
 }
 
 State Run::last_good_state() {

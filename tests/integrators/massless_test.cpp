@@ -10,6 +10,7 @@
 
 #include <yoke/contact/laws/dissipative/kelvin_voigt.hpp>
 #include <yoke/joints/distance.hpp>
+#include <yoke/joints/drivers/displacement_driver.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/applied_torque.hpp>
 #include <yoke/joints/forces/torsional_spring.hpp>
@@ -420,4 +421,24 @@ TEST_CASE("a checkpoint of massless bodies is taken up bit for bit") {
   const Result resumed = resume(m, cut.path());
   CHECK((resumed.final.q.array() == reference.final.q.array()).all());
   CHECK((resumed.final.v.array() == reference.final.v.array()).all());
+}
+
+TEST_CASE("a law that needs an effective mass is named where a driver holds the contact") {
+  for (const double mass : {0.0, 1.0}) {
+    Model m;
+    const BodyId ram = m.add(Body{.name = "ram", .mass = mass, .inertia = mass});
+    m.add(Prismatic{.name = "guide", .a = ground, .b = ram, .along = {0.0, 1.0}});
+    m.add(DisplacementDriver{.name = "motor",
+                             .body = ram,
+                             .along = {0.0, 1.0},
+                             .displacement = constant_speed(0.0, -1.0)});
+    m.add(Wall{.name = "wall",
+               .body = ram,
+               .law = ContactLaw(PowerLaw{1e7, 1.5}, KelvinVoigt{0.6}),
+               .height = -1e-3});
+    const Result run = simulate(m, {.until = 2e-3});
+    CHECK(run.summary.stop == Stop::failed);
+    CHECK_MESSAGE(contains(run.summary.reason, "'wall' gives a value that is not finite"),
+                  run.summary.reason);
+  }
 }
