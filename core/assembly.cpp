@@ -31,8 +31,10 @@ class Assembly {
     for (const auto& [name, weight] : options.weights) {
       require_positive(fmt::format("assembly, body '{}'", name), "weight", weight, "");
       const auto first = at(3 * (model.find_body(name).index - 1));
-      const double mass = weights_[first];
-      for (std::size_t k = 0; k < 3; ++k) weights_[first + k] *= weight / mass;
+      const double mass = system.mass()[first];
+      for (std::size_t k = 0; k < 3; ++k)
+        weights_[first + k] = mass > 0.0 ? weights_[first + k] * (weight / mass)
+                                         : weight * dynamics_.length_metric()[first + k];
     }
     for (const CoordinateValue& h : options.hold) {
       q0_[index(h.body, h.coordinate, h.value)] = h.value;

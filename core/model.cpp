@@ -85,8 +85,8 @@ BodyId Model::add(Body body) {
   const std::string owner = fmt::format("body '{}'", body.name);
   check_name("a body", body.name);
   require_free(owner, body.name);
-  require_positive(owner, "mass", body.mass, "kg");
-  require_positive(owner, "inertia", body.inertia, "kg m^2");
+  require_not_negative(owner, "mass", body.mass, "kg");
+  require_not_negative(owner, "inertia", body.inertia, "kg m^2");
   check_finite(owner, body);
   body_index_.emplace(body.name, body_count() + 1);
   bodies_.push_back(std::move(body));

@@ -45,10 +45,16 @@ struct Twist {
 };
 
 /// A rigid body. Its frame is at the centre of mass.
+///
+/// Without mass (a massless rod), without inertia (a point mass) or with an inertia alone (a wheel
+/// whose mass is neglected) it may be where joints and drivers let nothing massless move alone: the
+/// matrix [M G^T; G 0] must be regular. Assembly throws ModelError where it is not, naming what is
+/// free: "'rod': no mass and free to turn". The frame of a body without mass is where the user puts
+/// it. Its motion may end at an impasse, see docs/start_and_redundancy.md.
 struct Body {
   std::string name;
-  double mass = 0.0;     // [kg], > 0
-  double inertia = 0.0;  // [kg m^2] about the centre of mass, > 0
+  double mass = 0.0;     // [kg], >= 0
+  double inertia = 0.0;  // [kg m^2] about the centre of mass, >= 0
   Pose pose{};           // at the start; assembly corrects it if the joints require it
   Twist twist{};         // velocity at the start; corrected in the same way
 };

@@ -13,6 +13,7 @@
 #include <yoke/integrators/run/event_locator.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
+#include <yoke/integrators/run/impasse_watch.hpp>
 #include <yoke/integrators/run/sampling.hpp>
 #include <yoke/integrators/run/singular/singular_crossing.hpp>
 #include <yoke/integrators/run/stall_detector.hpp>
@@ -64,6 +65,8 @@ class Run {
   void check_restart();
   State last_good_state();
   std::string dead_point();
+  bool reaches_impasse(double t);
+  std::string end_of_motion();
   bool looser_tolerance_helps(const State& there);
   std::string blame();
   std::string explain_stop(double t, Step step);
@@ -89,6 +92,7 @@ class Run {
   EventLocator locator_;
   ElementEvents elements_;
   Standstill standstill_;
+  ImpasseWatch impasse_;
   bool stopped_ = false;
 };
 
@@ -101,7 +105,8 @@ Run::Run(const Model& model, const State& state, const SimulationOptions& option
       checkpoints_(options, t_start),
       locator_(dynamics_.system()),
       elements_(dynamics_, state_, result_,
-                [this](Stop why, std::string reason) { stop(why, std::move(reason)); }) {}
+                [this](Stop why, std::string reason) { stop(why, std::move(reason)); }),
+      impasse_(dynamics_) {}
 
 Run::Run(const Model& model, const State& start, const SimulationOptions& options)
     : Run(model, start, options, start.t) {
@@ -147,7 +152,7 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
 void Run::choose_formulation() {
   Choice choice{options_.formulation, "asked for"};
   if (choice.name == automatic)
-    choice = yoke::choose_formulation(dynamics_.system(), state_, options_.relative_tolerance);
+    choice = yoke::choose_formulation(dynamics_, state_, options_.relative_tolerance);
   entry_ = find_formulation(choice.name);
   result_.summary.formulation = entry_.name;
   result_.summary.formulation_reason = choice.reason;
@@ -282,7 +287,8 @@ void Run::check_restart() {
   if (standstill_.chatters(state_.t, duration))
     fail(chattering(max_events_in_window, event_window * duration, state_.t, result_.events));
   if (!dynamics_.calc_accelerations(state_))
-    fail(fmt::format("accelerations after the event at t = {:.9g} s are not finite", state_.t));
+    fail(fmt::format("accelerations after the event at t = {:.9g} s are not finite{}", state_.t,
+                     blame_element(dynamics_.system())));
 }
 
 State Run::last_good_state() {
@@ -300,6 +306,23 @@ std::string Run::dead_point() {
   const State from = degrees_of_freedom(dynamics_) == 0 ? state_ : last_good_state();
   return find_dead_point(system.model(), from, system.dropped_rows(), result_.summary.t_end,
                          dead_point_reach * system.scales().time);
+}
+
+/// Empty, or why no motion leads on, whatever the formulation.
+std::string Run::end_of_motion() {
+  std::string reason = dead_point();
+  if (!reason.empty() || !impasse_.watches() || !dynamics_.system().not_finite().empty())
+    return reason;
+  return impasse_.explain(last_good_state());
+}
+
+bool Run::reaches_impasse(double t) {
+  if (!impasse_.watches()) return false;
+  formulation_->interpolate(t, sample_);
+  std::string reason = impasse_.look(sample_);
+  if (reason.empty()) return false;
+  stop(Stop::failed, std::move(reason));
+  return true;
 }
 
 /// Does the formulation get on from there if less is asked of it? Then the tolerance is too tight.
@@ -346,9 +369,9 @@ std::string Run::explain_stop(double t, Step step) {
                                formulation_->last_step(), blame()));
 }
 
-// A dead point needs no other explanation.
+// Where the motion ends no other explanation is needed.
 bool Run::fail_at(double t, Step step) {
-  std::string reason = dead_point();
+  std::string reason = end_of_motion();
   if (reason.empty()) reason = explain_stop(t, step);
   stop(Stop::failed, std::move(reason));
   return false;
@@ -364,6 +387,7 @@ bool Run::advance() {
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
   result_.summary.t_end = t;
+  if (!stopped_ && !at_event && reaches_impasse(t)) return false;
   if (stopped_ || (at_event && !handle_events(t))) return false;
   if (!at_event && checkpoints_.due(t) && !reach_checkpoint(t)) return false;
   return observe(t) && t < options_.until;
@@ -383,7 +407,7 @@ bool Run::observe(double t) {
 // Stops the run; false, for callers that say whether it goes on.
 bool Run::fail(std::string reason) {
   if (stopped_) return false;
-  if (std::string dead = dead_point(); !dead.empty()) reason = std::move(dead);
+  if (std::string end = end_of_motion(); !end.empty()) reason = std::move(end);
   stop(Stop::failed, std::move(reason));
   return false;
 }
@@ -400,7 +424,8 @@ void Run::finish() {
   // The final state is that of the end time, however the run ended.
   if (result_.summary.t_end > state_.t) {
     formulation_->interpolate(result_.summary.t_end, state_);
-    dynamics_.project(state_);
+    State projected = state_;  // at an impasse there may be none
+    if (dynamics_.project(projected)) state_ = std::move(projected);
   }
   summarise();
   note_rounding();

@@ -97,6 +97,8 @@ class Dynamics {
   /// see redundancy(). On success the state is consistent.
   Outcome assemble(State& state);
   const Redundancy& redundancy() const { return redundancy_; }
+  /// Empty, or which massless bodies could move at `state` without any mass moving.
+  std::string impasse(const State& state);
   /// Leaves these rows out of the matrices; those of formulations must be built anew.
   void leave_out(const std::vector<int>& rows);
   /// Empty, or which equation that was left out as redundant has come to be violated by more than
@@ -115,6 +117,9 @@ class Dynamics {
   /// [kg] 1/(d A d^T), d [columns] in the local coordinates of a force element, with the
   /// factorisation of the last calc_accelerations.
   double effective_mass(const ForceSlot& slot, const double* direction);
+  /// [1/kg or 1/(kg m^2)] The acceleration of a coordinate for a unit of force on it; 0 where the
+  /// constraints hold it. With the same factorisation.
+  double mobility(int dof);
 
   /// The reaction of constraint i at the motion evaluated last, for given multipliers.
   Reaction reaction(std::size_t constraint, const double* lambda) const {

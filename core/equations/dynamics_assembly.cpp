@@ -9,6 +9,7 @@
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/core/equations/massless.hpp>
 
 namespace yoke {
 
@@ -58,11 +59,19 @@ Outcome Dynamics::assemble(State& state) {
 }
 
 Outcome Dynamics::finish_assembly(State& state) {
+  if (system_.has_massless()) factorised_ = false;  // the blocks of G are computed anew
+  if (std::string why = undetermined_motion(system_, state, length_metric_); !why.empty())
+    return {false, std::move(why)};
   if (calc_accelerations(state)) return {};
   if (system_.not_finite().empty())
-    return {false, "the mass matrix or a joint is singular at the start pose"};
+    return {false, "masses and joints do not determine the accelerations at the start pose"};
   return {false, fmt::format("accelerations at the start are not finite because of '{}'",
                              system_.not_finite())};
+}
+
+std::string Dynamics::impasse(const State& state) {
+  factorised_ = false;  // the blocks of G are computed anew
+  return impasse_at(system_, state, length_metric_);
 }
 
 Outcome Dynamics::explain_positions(const LeastChange& failed) const {

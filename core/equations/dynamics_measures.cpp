@@ -69,11 +69,19 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) {
       mobility += direction[j] * b_[at(dof)];
-      terms += direction[j] * direction[j] / system_.mass()[at(dof)];
+      if (const double mass = system_.mass()[at(dof)]; mass > 0.0)
+        terms += direction[j] * direction[j] / mass;
     }
   // What drivers leave of the mobility of the bodies alone may be rounding.
   return mobility > 64.0 * machine_epsilon * terms ? 1.0 / mobility
                                                    : std::numeric_limits<double>::infinity();
+}
+
+double Dynamics::mobility(int dof) {
+  std::fill(b_.begin(), b_.end(), 0.0);
+  b_[at(dof)] = 1.0;
+  lu_->solve(b_.data());
+  return std::max(0.0, b_[at(dof)]);
 }
 
 Violation Dynamics::largest_of(const std::vector<double>& residual) const {

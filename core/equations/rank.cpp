@@ -112,4 +112,13 @@ RankAnalysis analyse_rank(const System& system, const std::vector<char>& ignored
   return analysis;
 }
 
+Eigen::MatrixXd null_vectors(const Eigen::SparseMatrix<double>& a, double threshold) {
+  if (a.cols() == 0) return {};
+  Qr qr(a);
+  const Eigen::Index rank = qr.factorise(threshold);
+  Eigen::MatrixXd vectors(a.cols(), a.cols() - rank);
+  for (Eigen::Index i = 0; i < vectors.cols(); ++i) vectors.col(i) = qr.null_vector(i);
+  return vectors;
+}
+
 }  // namespace yoke

@@ -4,6 +4,7 @@
 // Which constraint equations depend on the others, and how. For set-up and reports; not a hot path.
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>
 
@@ -28,5 +29,9 @@ struct RankAnalysis {
 /// For the blocks of G computed last. Rows marked in `ignored` [rows] (or none) are left out of
 /// account.
 RankAnalysis analyse_rank(const System& system, const std::vector<char>& ignored = {});
+
+/// Vectors w with A w = 0, one for each column that depends on earlier ones: less than `threshold`
+/// of it is its own. [columns x vectors], by the same QR.
+Eigen::MatrixXd null_vectors(const Eigen::SparseMatrix<double>& a, double threshold);
 
 }  // namespace yoke

@@ -69,39 +69,24 @@ std::vector<double> metric_of_masses(const System& system) {
   // Small enough to leave the motion to those that have mass, large enough for the numerics.
   constexpr double next_to_nothing = 1e-6;
   std::vector<double> weights(system.mass().begin(), system.mass().end());
-  const auto massless = [](double w) { return w == 0.0; };
-  if (std::ranges::none_of(weights, massless)) return weights;
+  if (!system.has_massless()) return weights;
   double mass = 0.0;
   for (std::size_t i = 0; i < weights.size(); i += 3) mass = std::max(mass, weights[i]);
-  if (mass == 0.0) mass = 1.0;
-  const double length = system.scales().length;
+  if (mass == 0.0) mass = system.mean_mass();
+  const double length = system.natural_length();
   for (std::size_t i = 0; i < weights.size(); ++i)
-    if (massless(weights[i]))
+    if (weights[i] == 0.0)
       weights[i] = next_to_nothing * mass * (i % 3 == 2 ? length * length : 1.0);
   return weights;
 }
 
 std::vector<double> metric_of_lengths(System& system) {
-  const State start = system.model().start_state();
-  const std::vector<double> at_rest(at(system.dofs()), 0.0);
-  std::vector<double> phi(at(system.rows()));
-  system.set_motion(start.t, start.q.data(), at_rest.data());
-  system.calc_position_level(phi.data());
-  std::vector<double> turn(at(system.dofs() / 3), 0.0), shift = turn;
-  for (const ConstraintSlot& c : system.constraints())
-    for (int i = 0; i < c.rows; ++i)
-      for (int j = 0; j < c.columns && system.measure(c.row + i) == Measure::length; ++j) {
-        const int dof = system.dof()[at(c.dofs + j)];
-        if (dof < 0) continue;
-        const double g = system.G()[c.block + i * c.columns + j];
-        (dof % 3 == 2 ? turn : shift)[at(dof / 3)] += g * g;
-      }
   const double length = system.natural_length();
   std::vector<double> weights(at(system.dofs()), 1.0);
-  for (std::size_t body = 0; body < turn.size(); ++body) {
-    const double square = turn[body] / shift[body];
-    weights[3 * body + 2] = square > 0.0 && std::isfinite(square) ? square : length * length;
-  }
+  const std::vector<double> arms = system.squared_arms();
+  for (std::size_t body = 0; body < arms.size(); ++body)
+    weights[3 * body + 2] =
+        arms[body] > 0.0 && std::isfinite(arms[body]) ? arms[body] : length * length;
   return weights;
 }
 

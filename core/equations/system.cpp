@@ -14,7 +14,7 @@ System::System(const Model& model) : model_(model) {
   lay_out_bodies();
   lay_out_constraints();
   lay_out_forces();
-  scales_.length = natural_length();
+  natural_length_ = scales_.length = length_of_layout();
   rounding_ = rounding_of_coordinates();
 }
 
@@ -88,7 +88,7 @@ void System::lay_out_forces() {
   Q_.assign(at(block), 0.0);
 }
 
-double System::natural_length() const {
+double System::length_of_layout() {
   const auto& bodies = model_.bodies();
   Vec2 centre = Vec2::Zero();
   for (std::size_t i = 1; i < bodies.size(); ++i) centre += bodies[i].pose.position;
@@ -97,10 +97,45 @@ double System::natural_length() const {
   double spread = 0.0, gyration = 0.0;
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     spread += (bodies[i].pose.position - centre).squaredNorm() / count;
-    gyration = std::max(gyration, std::sqrt(bodies[i].inertia / bodies[i].mass));
+    if (bodies[i].mass > 0.0)
+      gyration = std::max(gyration, std::sqrt(bodies[i].inertia / bodies[i].mass));
   }
   const double length = std::max(std::sqrt(spread), gyration);
-  return length > 0.0 ? length : 1.0;  // a point mass alone has no size
+  if (length > 0.0) return length;
+  double arm = 0.0;  // a point mass, or a body without any, on its joint
+  for (const double square : squared_arms())
+    if (square > 0.0 && std::isfinite(square)) arm = std::max(arm, std::sqrt(square));
+  return arm > 0.0 ? arm : 1.0;  // alone it has no size
+}
+
+std::vector<double> System::squared_arms() {
+  const State start = model_.start_state();
+  const std::vector<double> at_rest(at(dofs_));
+  std::vector<double> phi(at(rows_));
+  set_motion(start.t, start.q.data(), at_rest.data());
+  calc_position_level(phi.data());
+  std::vector<double> turn(at(dofs_ / 3), 0.0), shift = turn;
+  for (const ConstraintSlot& c : constraints_)
+    for (int i = 0; i < c.rows; ++i)
+      for (int j = 0; j < c.columns && measure(c.row + i) == Measure::length; ++j) {
+        const int dof = dof_[at(c.dofs + j)];
+        if (dof < 0) continue;
+        const double g = G_[at(c.block + i * c.columns + j)];
+        (dof % 3 == 2 ? turn : shift)[at(dof / 3)] += g * g;
+      }
+  for (std::size_t body = 0; body < turn.size(); ++body) turn[body] /= shift[body];
+  return turn;
+}
+
+double System::mean_mass() const {
+  double mass = 0.0, inertia = 0.0;
+  for (int i = 0; i < dofs_; i += 3) {
+    mass += mass_[at(i)];
+    inertia += mass_[at(i + 2)];
+  }
+  const double count = std::max<double>(1.0, static_cast<double>(dofs_ / 3));
+  if (mass > 0.0) return mass / count;
+  return inertia > 0.0 ? inertia / (natural_length_ * natural_length_ * count) : 1.0;
 }
 
 /// A few units in the last place of the largest coordinate.

@@ -6,6 +6,7 @@
 // (dynamics.hpp for the acceleration-level saddle matrix, an implicit integrator for its own).
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -71,6 +72,11 @@ class System {
   /// Global coordinate (0 .. 3 nb - 1) of a local column; -1 for the ground.
   std::span<const int> dof() const { return dof_; }
   std::span<const double> mass() const { return mass_; }  // [3 nb] diagonal of M
+  /// Is there a body without mass or without inertia?
+  bool has_massless() const { return std::ranges::find(mass_, 0.0) != mass_.end(); }
+  /// [kg] Of all bodies; where none has mass, of inertias over the square of the natural length;
+  /// where nothing has either, 1: there it only gives equations a unit.
+  double mean_mass() const;
   /// "pivot: x" of constraint row i.
   std::string equation_name(int row) const;
   Measure measure(int row) const { return measure_[static_cast<std::size_t>(row)]; }
@@ -129,9 +135,13 @@ class System {
   Scales scales() const { return scales_; }
   void set_scales(const Scales& scales) { scales_ = scales; }
   /// Length scale from the layout of the bodies (invariant to shifts and turns of the frame).
-  double natural_length() const;
+  double natural_length() const { return natural_length_; }
+  /// [bodies, m^2] How far from a body's centre its joints are at the model's start pose, squared,
+  /// on average; not positive or not finite where no joint tells. Evaluates the constraints there.
+  std::vector<double> squared_arms();
 
  private:
+  double length_of_layout();
   double rounding_of_coordinates() const;
   void lay_out_bodies();
   void lay_out_constraints();
@@ -156,6 +166,7 @@ class System {
   const double* parameters_ = nullptr;
   const ContactMemory* contacts_ = nullptr;
   Scales scales_;
+  double natural_length_ = 1.0;
   double rounding_ = 0.0;  // [m] of the coordinates in the start pose
   std::string not_finite_;
 };

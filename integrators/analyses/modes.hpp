@@ -34,6 +34,7 @@ struct Linearisation {
   using Sparse = Eigen::SparseMatrix<double>;
   State state;                 // where, with accelerations and multipliers
   Eigen::VectorXd mass;        // [n] diagonal of M, n = 3 bodies [kg, kg, kg m^2]
+  Eigen::VectorXd metric;      // [n] the same, next to nothing where a body has no mass or inertia
   Sparse C;                    // [n x n] -dQ/dv
   Sparse K;                    // [n x n] d(G^T lambda)/dq - dQ/dq
   Sparse G, H;                 // [rows x n] dPhi/dq, d(G v + Phi_t)/dq; redundant rows are zero

@@ -29,7 +29,7 @@ std::vector<double> yielding_of(const System& system, const std::vector<int>& as
     most = std::max(most, mass(i));
   }
   for (int i = 0; i < system.dofs(); ++i) {
-    const double ratio = heaviest[at(assembly[at(i / 3)])] / mass(i);
+    const double ratio = heaviest[at(assembly[at(i / 3)])] / mass(i);  // infinite without mass
     if (ratio > 1.0) yielding[at(i)] = std::sqrt(std::min(ratio, largest_ratio));
   }
   return yielding;

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/details/linearisation.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -61,13 +62,32 @@ class AllowedMotions {
   Eigen::Index rank_ = 0;
 };
 
+/// N of the positive metric becomes orthonormal in the masses, which leave part of the coordinates
+/// out but no motion that the joints allow: N := N L^-T with L L^T = N^T M N.
+void make_orthonormal(Linearisation& l) {
+  const Eigen::LLT<Matrix> gram(Matrix(l.basis.transpose() * l.mass.asDiagonal() * l.basis));
+  if (gram.info() != Eigen::Success)
+    throw ModelError(
+        "linearisation: a body without mass could move without any mass moving at this state");
+  gram.matrixU().solveInPlace<Eigen::OnTheRight>(l.basis);
+}
+
 void reduce(Linearisation& l) {
-  const Eigen::VectorXd root = l.mass.cwiseSqrt();
+  const bool massless = l.mass.size() > 0 && l.mass.minCoeff() == 0.0;
+  const Eigen::VectorXd root = l.metric.cwiseSqrt();
   const AllowedMotions allowed(l.G, root);
   const Matrix unit = allowed.basis();  // M^1/2 N
   l.basis = root.cwiseInverse().asDiagonal() * unit;
-  const Matrix rate = allowed.solve(-(l.H * l.basis));  // M^1/2 N'
+  if (massless) {  // twice: the first time removes the large ratios of the metric
+    make_orthonormal(l);
+    make_orthonormal(l);
+  }
+  Matrix rate = allowed.solve(-(l.H * l.basis));  // M^1/2 N'
   l.basis_rate = root.cwiseInverse().asDiagonal() * rate;
+  if (massless) {  // the same change of the joints, but N^T M N' = 0
+    l.basis_rate -= l.basis * (l.basis.transpose() * (l.mass.asDiagonal() * l.basis_rate));
+    rate = l.mass.cwiseSqrt().asDiagonal() * l.basis_rate;
+  }
   const Matrix N_T = l.basis.transpose();
   l.C_reduced = N_T * (l.C * l.basis);
   l.K_reduced = N_T * (l.K * l.basis) + N_T * (l.C * l.basis_rate) - rate.transpose() * rate;
@@ -115,6 +135,8 @@ Linearisation linearise_sparse(Dynamics& dynamics, const State& state) {
   l.state = state;
   Tangent tangent = calc_tangent(dynamics.system(), l.state);
   l.mass = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), system.dofs());
+  const std::vector<double> metric = metric_of_masses(system);
+  l.metric = Eigen::Map<const Eigen::VectorXd>(metric.data(), system.dofs());
   l.C = -tangent.Q_v;
   l.K = tangent.K_lambda - tangent.Q_q;
   l.G = std::move(tangent.G);

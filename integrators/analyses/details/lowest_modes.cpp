@@ -33,8 +33,8 @@ double largest_rate_squared(const Linearisation& l) {
   double largest = 0.0;
   for (int k = 0; k < l.K.outerSize(); ++k)
     for (Linearisation::Sparse::InnerIterator it(l.K, k); it; ++it)
-      largest =
-          std::max(largest, std::abs(it.value()) / std::sqrt(l.mass[it.row()] * l.mass[it.col()]));
+      largest = std::max(largest,
+                         std::abs(it.value()) / std::sqrt(l.metric[it.row()] * l.metric[it.col()]));
   return largest > 0.0 ? largest : 1.0;
 }
 
@@ -44,13 +44,14 @@ double largest_rate_squared(const Linearisation& l) {
 class Shifted {
  public:
   Shifted(const Linearisation& l, double shift, double unit)
-      : n_(l.mass.size()), nz_(l.z_z.rows()), rows_(l.G.rows()), root_(l.mass.cwiseSqrt()) {
+      : n_(l.mass.size()), nz_(l.z_z.rows()), rows_(l.G.rows()), root_(l.metric.cwiseSqrt()) {
     Vector norm = Vector::Zero(rows_);
     for (int k = 0; k < l.G.outerSize(); ++k)
       for (Linearisation::Sparse::InnerIterator it(l.G, k); it; ++it)
         norm[it.row()] += std::pow(it.value() / root_[it.col()], 2);
     const Eigen::Index lambda = n_ + nz_;
-    for (Eigen::Index i = 0; i < n_; ++i) add(i, i, shift * shift / unit);
+    for (Eigen::Index i = 0; i < n_; ++i)
+      if (l.mass[i] > 0.0) add(i, i, shift * shift / unit);
     add_block(l.K, 0, 0, [&](auto i, auto j) { return 1.0 / (root_[i] * root_[j] * unit); });
     add_block(l.C, 0, 0, [&](auto i, auto j) { return shift / (root_[i] * root_[j] * unit); });
     add_block(l.Q_z, 0, n_, [&](auto i, auto) { return -1.0 / (root_[i] * unit); });
@@ -113,16 +114,28 @@ class Shifted {
 class InverseStiffness {
  public:
   using Scalar = double;
-  InverseStiffness(Shifted& shifted, Eigen::Index n) : shifted_(&shifted), n_(n) {}
+  InverseStiffness(const Linearisation& l, Shifted& shifted)
+      : l_(&l), shifted_(&shifted), n_(l.mass.size()) {}
   Eigen::Index rows() const { return n_; }
   Eigen::Index cols() const { return n_; }
   void perform_op(const double* in, double* out) const {
-    Vector b = Eigen::Map<const Vector>(in, n_);
+    Eigen::Map<Vector>(out, n_) = only_masses(motion(Eigen::Map<const Vector>(in, n_)));
+  }
+  /// The whole motion: what has no mass follows from the joints.
+  Vector motion(const Vector& of_masses) const {
+    Vector b = only_masses(of_masses);
     shifted_->solve(b);
-    Eigen::Map<Vector>(out, n_) = b;
+    return b;
   }
 
  private:
+  Vector only_masses(Vector x) const {
+    for (Eigen::Index i = 0; i < n_; ++i)
+      if (l_->mass[i] == 0.0) x[i] = 0.0;
+    return x;
+  }
+
+  const Linearisation* l_;
   Shifted* shifted_;
   Eigen::Index n_;
 };
@@ -132,7 +145,7 @@ class InverseRate {
  public:
   using Scalar = double;
   InverseRate(const Linearisation& l, Shifted& shifted, double shift, double unit)
-      : l_(&l), shifted_(&shifted), shift_(shift), unit_(unit), root_(l.mass.cwiseSqrt()) {}
+      : l_(&l), shifted_(&shifted), shift_(shift), unit_(unit), root_(l.metric.cwiseSqrt()) {}
   Eigen::Index rows() const { return 2 * root_.size() + l_->z_z.rows(); }
   Eigen::Index cols() const { return rows(); }
   // v = shift x + a,  -(K + shift C) x - C a + Q_z z - G^T lambda = M (shift v + b),
@@ -145,7 +158,10 @@ class InverseRate {
     const Vector c = Eigen::Map<const Vector>(in + 2 * n, nz);
     const Vector at_v = a.cwiseQuotient(root_);
     Vector right(n + nz);
-    right.head(n) = -(b + shift_ * a + (l_->C * at_v).cwiseQuotient(root_)) / unit_;
+    Vector inertial = b + shift_ * a;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (l_->mass[i] == 0.0) inertial[i] = 0.0;
+    right.head(n) = -(inertial + (l_->C * at_v).cwiseQuotient(root_)) / unit_;
     right.tail(nz) = c - l_->z_v * at_v;
     shifted_->solve(right);
     Eigen::Map<Vector>(out, n) = right.head(n);
@@ -192,7 +208,7 @@ Squares squares_near(const Linearisation& l, int count, double sigma, double uni
   shifted_stiffness.K -= sigma * mass;
   Shifted shifted(shifted_stiffness, 0.0, unit);
   if (!shifted.regular()) give_up(count);
-  InverseStiffness op(shifted, l.mass.size());
+  InverseStiffness op(l, shifted);
   const Eigen::Index krylov = std::min<Eigen::Index>(l.mass.size(), std::max(2 * count + 10, 30));
   Spectra::SymEigsSolver<InverseStiffness> solver(op, count, krylov);
   const Vector start = start_vector(op);
@@ -200,6 +216,9 @@ Squares squares_near(const Linearisation& l, int count, double sigma, double uni
   if (solver.compute(Spectra::SortRule::LargestMagn, max_restarts, converged) < count)
     give_up(count);
   Squares found{.values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+  if (l.mass.minCoeff() == 0.0)
+    for (Eigen::Index i = 0; i < found.values.size(); ++i)
+      found.vectors.col(i) = op.motion(found.vectors.col(i)) / found.values[i];
   for (double& value : found.values) value = sigma + unit / value;
   return found;
 }
@@ -238,7 +257,7 @@ LowestModes lowest_undamped(const Linearisation& l, int count) {
     modes.values.push_back(square >= 0.0 ? std::complex<double>(0.0, std::sqrt(square))
                                          : std::complex<double>(std::sqrt(-square), 0.0));
     modes.shapes.push_back(
-        found.vectors.col(i).cwiseQuotient(l.mass.cwiseSqrt()).cast<std::complex<double>>());
+        found.vectors.col(i).cwiseQuotient(l.metric.cwiseSqrt()).cast<std::complex<double>>());
   }
   return modes;
 }
@@ -270,7 +289,7 @@ LowestModes lowest_general(const Linearisation& l, int count) {
       largest = std::max(largest, std::abs(modes.values.back()));
       modes.shapes.push_back(vectors.col(i)
                                  .head(l.mass.size())
-                                 .cwiseQuotient(l.mass.cwiseSqrt().cast<std::complex<double>>()));
+                                 .cwiseQuotient(l.metric.cwiseSqrt().cast<std::complex<double>>()));
     }
     if (shift < near_enough * largest || largest < nothing * rate) break;
     shift = beside * largest;

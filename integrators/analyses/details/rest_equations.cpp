@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/equations/least_change.hpp>
+
 namespace yoke {
 
 namespace {
@@ -31,6 +33,7 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   dynamics_.calc_accelerations(state_);
   state_.a.setZero();
   n_ = system_.dofs(), nz_ = system_.states(), rows_ = system_.rows();
+  metric_ = metric_of_masses(system_);
   length_ = system_.natural_length();
   system_.set_scales({.length = length_, .time = 1.0});
   choose_loads(model, options);
@@ -194,15 +197,24 @@ double Statics::work(const Vector& x, const Vector& y, int points) {
 
 double Statics::inertial(const Vector& d) const {
   double sum = 0.0;
-  for (Eigen::Index i = 0; i < n_; ++i) sum += system_.mass()[at(i)] * std::pow(size(i) * d[i], 2);
-  return sum / (mean_mass() * length_ * length_);
+  for (Eigen::Index i = 0; i < n_; ++i) sum += metric_[at(i)] * std::pow(size(i) * d[i], 2);
+  return sum / (system_.mean_mass() * length_ * length_);
 }
 
 bool Statics::project(Vector& x) {
   set(x);
-  if (!dynamics_.project_positions(state_.t, state_.q.data())) return false;
+  if (!dynamics_.project_positions(state_.t, state_.q.data()) && !project_in_metric()) return false;
   for (Eigen::Index i = 0; i < n_; ++i) x[i] = (state_.q[i] - start_[i]) / size(i);
   return true;
+}
+
+// At a dead centre of massless links the masses do not say which pose is the nearest.
+bool Statics::project_in_metric() {
+  if (!system_.has_massless()) return false;
+  std::vector<char> dropped(at(rows_), 0);
+  for (const int row : system_.dropped_rows()) dropped[at(row)] = 1;
+  LeastChange nearest(system_, metric_, {}, dropped);
+  return nearest.solve_positions(state_.t, state_.q.data());
 }
 
 void Statics::displace(const Vector& direction, double size_of_move, Vector& x) const {
@@ -316,17 +328,11 @@ void Statics::add_forces(Vector& Q, Vector& z_dot) {
 }
 
 void Statics::add_inertia(double inertia) {
-  const double mean = mean_mass();
+  const double mean = system_.mean_mass();
   for (Eigen::Index i = 0; i < n_; ++i)
     matrix_.coeffRef(i, i) -=
-        inertia * system_.mass()[at(i)] * size(i) * size(i) / (mean * length_ * length_);
+        inertia * metric_[at(i)] * size(i) * size(i) / (mean * length_ * length_);
   matrix_.makeCompressed();
-}
-
-double Statics::mean_mass() const {
-  double total = 0.0;
-  for (Eigen::Index i = 0; i < n_; i += 3) total += system_.mass()[at(i)];
-  return total / std::max<double>(1.0, static_cast<double>(n_ / 3));
 }
 
 void Statics::find_contacts(const std::function<double(const double*)>& effective_mass,

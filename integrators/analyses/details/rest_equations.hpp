@@ -61,7 +61,7 @@ class Statics {
     return b;
   }
   /// [1/s^2] Of the largest force per length scale on the mean mass.
-  double noticeable_stiffness() const { return force_ / (length_ * mean_mass()); }
+  double noticeable_stiffness() const { return force_ / (length_ * system_.mean_mass()); }
   /// The multipliers' part of a step.
   void add_multipliers(const Vector& step, Vector& x) const { x.tail(rows_) += step.tail(rows_); }
   /// x displaced by `size` [length scales or rad] along a direction of the coordinates [n].
@@ -91,7 +91,7 @@ class Statics {
   void add_forces(Vector& Q, Vector& z_dot);
 
   void add_inertia(double inertia);
-  double mean_mass() const;
+  bool project_in_metric();
 
   /// Which contacts press at the pose set, at rest. `loading`: where a law knows an unloading
   /// branch, the loading one is meant.
@@ -103,6 +103,7 @@ class Statics {
   Vector start_;
   Eigen::Index n_ = 0, nz_ = 0, rows_ = 0;
   double length_ = 1.0, force_ = 1.0;
+  std::vector<double> metric_;  // [n] of masses
   std::vector<bool> is_load_;
   std::vector<double> share_;
   bool beyond_law_ = false;

@@ -36,10 +36,7 @@ IterationMatrix::IterationMatrix(System& system, const MatrixLayout& layout)
   size_scratch();
   row_scale_.assign(at(layout.size), 1.0);
   column_scale_.assign(at(layout.size), 1.0);
-  const int n = system.dofs();
-  double total = 0.0;
-  for (int i = 0; i < n; i += 3) total += system.mass()[at(i)];
-  if (n > 0) mean_mass_ = total / (n / 3);
+  mean_mass_ = system.mean_mass();
 }
 
 void IterationMatrix::build_pattern(const MatrixLayout& layout) {

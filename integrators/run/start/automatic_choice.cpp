@@ -22,8 +22,15 @@ struct Rate {
   std::string element;
 };
 
+/// What a force on the coordinate has to move: its mass, or what the joints tie to it.
+double mass_of(Dynamics& dynamics, int dof) {
+  const double mass = dynamics.system().mass()[static_cast<std::size_t>(dof)];
+  return mass > 0.0 ? mass : 1.0 / dynamics.mobility(dof);
+}
+
 /// The fastest rate of one force element, by the diagonal blocks of its derivatives.
-double rate_of(const System& system, const ForceSlot& f, std::vector<double>& scratch) {
+double rate_of(Dynamics& dynamics, const ForceSlot& f, std::vector<double>& scratch) {
+  const System& system = dynamics.system();
   const auto k = static_cast<std::size_t>(f.columns), nz = static_cast<std::size_t>(f.states);
   scratch.assign(k + 2 * k * k + nz + nz * nz + k * nz + 2 * nz * k, 0.0);
   double* next = scratch.data();
@@ -48,7 +55,7 @@ double rate_of(const System& system, const ForceSlot& f, std::vector<double>& sc
   for (std::size_t j = 0; j < k; ++j) {
     const int dof = system.dof()[static_cast<std::size_t>(f.dofs) + j];
     if (dof < 0) continue;
-    const double mass = system.mass()[static_cast<std::size_t>(dof)];
+    const double mass = mass_of(dynamics, dof);
     rate = std::max({rate, std::abs(out.dQ_dv[j * k + j]) / mass,
                      std::sqrt(std::abs(out.dQ_dq[j * k + j]) / mass)});
   }
@@ -64,13 +71,17 @@ bool worth_asking(const ForceSlot& f) {
          (depends.position || depends.velocity || f.states > 0);
 }
 
-Rate fastest_rate(System& system, const State& state) {
+Rate fastest_rate(Dynamics& dynamics, const State& given) {
+  System& system = dynamics.system();
+  State state = given;
+  if (system.has_massless() && !dynamics.calc_accelerations(state)) return {};
+  system.bind(given);
   system.set_motion(state.t, state.q.data(), state.v.data());
   std::vector<double> scratch;
   Rate fastest;
   for (const ForceSlot& f : system.forces()) {
     if (!worth_asking(f)) continue;
-    const double rate = rate_of(system, f, scratch);
+    const double rate = rate_of(dynamics, f, scratch);
     if (rate > fastest.value) fastest = {rate, f.element->name()};
   }
   return fastest;
@@ -78,8 +89,9 @@ Rate fastest_rate(System& system, const State& state) {
 
 }  // namespace
 
-Choice choose_formulation(System& system, const State& state, double relative_tolerance) {
-  const Rate fastest = fastest_rate(system, state);
+Choice choose_formulation(Dynamics& dynamics, const State& state, double relative_tolerance) {
+  const System& system = dynamics.system();
+  const Rate fastest = fastest_rate(dynamics, state);
   // About the step that accuracy allows a method of order 5.
   const double accurate = system.scales().time * std::pow(relative_tolerance, 0.2);
   const bool has_contacts = !state.contacts.empty();

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include <yoke/core/equations/system.hpp>
+#include <yoke/core/equations/dynamics.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
 
 namespace yoke {
@@ -17,9 +17,10 @@ struct Choice {
 };
 
 /// An explicit method is the most accurate for its work unless a force is so stiff that stability
-/// and not accuracy bounds its step; then BDF. Stiffness is judged at `state`, on which `system` is
+/// and not accuracy bounds its step; then BDF. Stiffness is judged at `state`, to which `dynamics` is
 /// bound: the fastest rate of all forces but contacts (whose impacts any method must resolve), from
-/// damping over mass, the root of stiffness over mass, and the rates of element states.
-Choice choose_formulation(System& system, const State& state, double relative_tolerance);
+/// damping over mass, the root of stiffness over mass, and the rates of element states; a coordinate without mass has that which joints tie
+/// to it.
+Choice choose_formulation(Dynamics& dynamics, const State& state, double relative_tolerance);
 
 }  // namespace yoke

@@ -52,6 +52,7 @@ Tolerances choose_tolerances(const System& system, const SimulationOptions& opti
     for (int i = 0; i < f.states; ++i)
       tolerances.z[f.z + i] = rtol * states[static_cast<std::size_t>(i)].scale;
   }
+  if (mass == 0.0) mass = system.mean_mass();
   // A tenth of the kinetic energy at the scales: ledgers are judged by what is exchanged, often
   // less.
   tolerances.energy = 0.1 * rtol * mass * std::pow(scales.length / scales.time, 2);
