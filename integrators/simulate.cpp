@@ -58,7 +58,8 @@ class Run {
   bool observe(double t);
   void record_samples_up_to(double t);
   void record_singular_position(const SingularPosition& position);
-  double locate_events();
+  double locate_events(Step step);
+  void start_formulation();
   bool handle_events(double t);
   bool restart_at_event(double t);
   void check_restart();
@@ -169,7 +170,7 @@ bool Run::initialise() {
   if (!dynamics_.project(state_)) return fail("accelerations at the start are not finite");
   sample_ = state_;
   samples_->start(state_);
-  formulation_->start(state_);
+  start_formulation();
   samples_->record_restart(state_);
   standstill_.start(state_.t, {.start = state_.t});
   if (checkpoints_.wanted()) write_first_checkpoint();
@@ -180,7 +181,13 @@ bool Run::initialise() {
 void Run::start_anew() {
   dynamics_.reset();
   make_formulation();
+  start_formulation();
+}
+
+void Run::start_formulation() {
   formulation_->start(state_);
+  locator_.start(state_);
+  dynamics_.system().bind(state_);
 }
 
 // At a step's end that is not an event; false if the run cannot go on.
@@ -238,8 +245,10 @@ void Run::record_samples_up_to(double t) {
   cost_.book_recording(work_of(dynamics_) - before);
 }
 
-double Run::locate_events() {
-  const double t = locator_.locate(*formulation_, standstill_.t_last(), sample_);
+double Run::locate_events(Step step) {
+  sample_.contacts = state_.contacts;
+  sample_.parameters = state_.parameters;
+  const double t = locator_.locate(*formulation_, step, standstill_.t_last(), sample_);
   dynamics_.system().bind(state_);
   return t;
 }
@@ -271,7 +280,7 @@ bool Run::restart_at_event(double t) {
   if (checkpoints_.due(t)) {
     write_checkpoint();
   } else {
-    formulation_->start(state_);
+    start_formulation();
   }
   return true;
 }
@@ -356,9 +365,9 @@ bool Run::fail_at(double t, Step step) {
 // False at the end, whatever the reason.
 bool Run::advance() {
   const Step step = formulation_->step(checkpoints_.next_stop());
-  const bool at_event = step == Step::event;
-  const double t = at_event ? locate_events() : formulation_->time();
+  const double t = step == Step::failed ? formulation_->time() : locate_events(step);
   if (step == Step::failed || standstill_.stalls(t)) return fail_at(t, step);
+  const bool at_event = !locator_.fired().empty();
   standstill_.note_step(formulation_->last_step());
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);
