@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/simulate.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -34,6 +35,9 @@ constexpr int trial_steps = 2000;
 constexpr double shortest_rest = 1e-14;  // of the end time
 
 constexpr const char* automatic = "automatic";
+constexpr const char* asked_for = "asked for";
+constexpr const char* change_of_formulation = "formulation changed";
+constexpr std::ptrdiff_t most_noted_changes = 5;
 
 /// One run: a state that moves, what is recorded of it, and the formulation that moves it.
 class Run {
@@ -48,6 +52,7 @@ class Run {
  private:
   Run(const Model& model, const State& state, const SimulationOptions& options, double t_start);
   void choose_formulation();
+  void choose_formulation_anew();
   void make_formulation();
   bool initialise();
   void start_anew();
@@ -145,12 +150,36 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
 }
 
 void Run::choose_formulation() {
-  Choice choice{options_.formulation, "asked for"};
+  Choice choice{options_.formulation, asked_for};
   if (choice.name == automatic)
     choice = yoke::choose_formulation(dynamics_.system(), state_, options_.relative_tolerance);
   entry_ = find_formulation(choice.name);
   result_.summary.formulation = entry_.name;
   result_.summary.formulation_reason = choice.reason;
+}
+
+// An event has changed parameters: what was not stiff may be so now, or no longer.
+void Run::choose_formulation_anew() {
+  Summary& summary = result_.summary;
+  if (summary.formulation_reason == asked_for) return;
+  dynamics_.system().bind(state_);
+  const Choice choice =
+      yoke::choose_formulation(dynamics_.system(), state_, options_.relative_tolerance);
+  if (choice.name == entry_.name) return;
+  const auto noted = std::ranges::count_if(summary.notes, [](const std::string& note) {
+    return note.starts_with(change_of_formulation);
+  });
+  if (noted < most_noted_changes)
+    summary.notes.push_back(
+        fmt::format("{} at t = {:.9g} s from {} to {}: {}{}", change_of_formulation, state_.t,
+                    entry_.name, choice.name, choice.reason,
+                    noted + 1 == most_noted_changes ? "; further changes are not noted" : ""));
+  cost_.write(dynamics_, *formulation_, summary);
+  cost_.close(dynamics_, summary);
+  entry_ = find_formulation(choice.name);
+  summary.formulation = entry_.name;
+  summary.formulation_reason = choice.reason;
+  make_formulation();
 }
 
 void Run::make_formulation() {
@@ -276,6 +305,7 @@ bool Run::restart_at_event(double t) {
   if (at_the_end) result_.summary.t_end = state_.t = options_.until;
   samples_->record_restart(state_);
   if (at_the_end) return false;
+  if (elements_.parameters_changed()) choose_formulation_anew();
   checkpoints_.count_event();
   if (checkpoints_.due(t)) {
     write_checkpoint();
