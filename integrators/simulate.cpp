@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/simulate.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -35,6 +36,9 @@ constexpr int trial_steps = 2000;
 constexpr double shortest_rest = 1e-14;  // of the end time
 
 constexpr const char* automatic = "automatic";
+constexpr const char* asked_for = "asked for";
+constexpr const char* change_of_formulation = "formulation changed";
+constexpr std::ptrdiff_t most_noted_changes = 5;
 
 /// One run: a state that moves, what is recorded of it, and the formulation that moves it.
 class Run {
@@ -49,6 +53,7 @@ class Run {
  private:
   Run(const Model& model, const State& state, const SimulationOptions& options, double t_start);
   void choose_formulation();
+  void choose_formulation_anew();
   void make_formulation();
   bool initialise();
   void start_anew();
@@ -59,7 +64,8 @@ class Run {
   bool observe(double t);
   void record_samples_up_to(double t);
   void record_singular_position(const SingularPosition& position);
-  double locate_events();
+  double locate_events(Step step);
+  void start_formulation();
   bool handle_events(double t);
   bool restart_at_event(double t);
   void check_restart();
@@ -150,12 +156,36 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
 }
 
 void Run::choose_formulation() {
-  Choice choice{options_.formulation, "asked for"};
+  Choice choice{options_.formulation, asked_for};
   if (choice.name == automatic)
     choice = yoke::choose_formulation(dynamics_, state_, options_.relative_tolerance);
   entry_ = find_formulation(choice.name);
   result_.summary.formulation = entry_.name;
   result_.summary.formulation_reason = choice.reason;
+}
+
+// An event has changed parameters: what was not stiff may be so now, or no longer.
+void Run::choose_formulation_anew() {
+  Summary& summary = result_.summary;
+  if (summary.formulation_reason == asked_for) return;
+  dynamics_.system().bind(state_);
+  const Choice choice =
+      yoke::choose_formulation(dynamics_.system(), state_, options_.relative_tolerance);
+  if (choice.name == entry_.name) return;
+  const auto noted = std::ranges::count_if(summary.notes, [](const std::string& note) {
+    return note.starts_with(change_of_formulation);
+  });
+  if (noted < most_noted_changes)
+    summary.notes.push_back(
+        fmt::format("{} at t = {:.9g} s from {} to {}: {}{}", change_of_formulation, state_.t,
+                    entry_.name, choice.name, choice.reason,
+                    noted + 1 == most_noted_changes ? "; further changes are not noted" : ""));
+  cost_.write(dynamics_, *formulation_, summary);
+  cost_.close(dynamics_, summary);
+  entry_ = find_formulation(choice.name);
+  summary.formulation = entry_.name;
+  summary.formulation_reason = choice.reason;
+  make_formulation();
 }
 
 void Run::make_formulation() {
@@ -175,7 +205,7 @@ bool Run::initialise() {
   if (!dynamics_.project(state_)) return fail("accelerations at the start are not finite");
   sample_ = state_;
   samples_->start(state_);
-  formulation_->start(state_);
+  start_formulation();
   samples_->record_restart(state_);
   standstill_.start(state_.t, {.start = state_.t});
   if (checkpoints_.wanted()) write_first_checkpoint();
@@ -186,7 +216,13 @@ bool Run::initialise() {
 void Run::start_anew() {
   dynamics_.reset();
   make_formulation();
+  start_formulation();
+}
+
+void Run::start_formulation() {
   formulation_->start(state_);
+  locator_.start(state_);
+  dynamics_.system().bind(state_);
 }
 
 // At a step's end that is not an event; false if the run cannot go on.
@@ -244,8 +280,10 @@ void Run::record_samples_up_to(double t) {
   cost_.book_recording(work_of(dynamics_) - before);
 }
 
-double Run::locate_events() {
-  const double t = locator_.locate(*formulation_, standstill_.t_last(), sample_);
+double Run::locate_events(Step step) {
+  sample_.contacts = state_.contacts;
+  sample_.parameters = state_.parameters;
+  const double t = locator_.locate(*formulation_, step, standstill_.t_last(), sample_);
   dynamics_.system().bind(state_);
   return t;
 }
@@ -273,11 +311,12 @@ bool Run::restart_at_event(double t) {
   if (at_the_end) result_.summary.t_end = state_.t = options_.until;
   samples_->record_restart(state_);
   if (at_the_end) return false;
+  if (elements_.parameters_changed()) choose_formulation_anew();
   checkpoints_.count_event();
   if (checkpoints_.due(t)) {
     write_checkpoint();
   } else {
-    formulation_->start(state_);
+    start_formulation();
   }
   return true;
 }
@@ -380,9 +419,9 @@ bool Run::fail_at(double t, Step step) {
 // False at the end, whatever the reason.
 bool Run::advance() {
   const Step step = formulation_->step(checkpoints_.next_stop());
-  const bool at_event = step == Step::event;
-  const double t = at_event ? locate_events() : formulation_->time();
+  const double t = step == Step::failed ? formulation_->time() : locate_events(step);
   if (step == Step::failed || standstill_.stalls(t)) return fail_at(t, step);
+  const bool at_event = !locator_.fired().empty();
   standstill_.note_step(formulation_->last_step());
   // A sample exactly at the event is taken after it, from the projected state.
   record_samples_up_to(at_event ? std::nextafter(t, t_start_) : t);

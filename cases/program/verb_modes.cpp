@@ -92,15 +92,22 @@ int report(const Modes& found, const Model& model, const RunRequest& request,
 
 void add_modes_verb(CLI::App& app, Action& action) {
   auto about = std::make_shared<std::string>("equilibrium");
+  auto lowest = std::make_shared<int>(0);
   add_analysis_verb(
       app, action, "modes", "Natural frequencies, damping and shapes of a case",
-      [about](CLI::App& verb, AnalysisOptions&) {
+      [about, lowest](CLI::App& verb, AnalysisOptions&) {
         verb.add_option("--about", *about, "equilibrium or start: the state to linearise about")
             ->check(CLI::IsMember({"equilibrium", "start"}))
             ->capture_default_str();
+        verb.add_option("--lowest", *lowest,
+                        "this many of the lowest modes; 0: all, or 10 of a large model")
+            ->check(CLI::NonNegativeNumber)
+            ->capture_default_str();
       },
-      [about](const Model& model, const RunRequest& request, const AnalysisOptions& options) {
-        return report(modes(model, state_to_look_at(model, *about)), model, request, options);
+      [about, lowest](const Model& model, const RunRequest& request,
+                      const AnalysisOptions& options) {
+        return report(modes(model, state_to_look_at(model, *about), {.lowest = *lowest}), model,
+                      request, options);
       });
 }
 

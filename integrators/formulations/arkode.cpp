@@ -37,6 +37,7 @@ class Arkode final : public SundialsStepper {
   Step step(double t_stop) override;
   double last_step() const override;
   void interpolate(double t, State& state) override;
+  void glance(double t, State& state) override;
   StepCounters counters() const override;
 
  private:
@@ -222,6 +223,20 @@ void Arkode::interpolate(double t, State& state) {
     std::copy_n(end_.begin(), size_, y());
   } else if (!substep(t)) {
     ARKodeGetDky(memory_, t, 0, y_);
+  }
+  unpack(t, state);
+}
+
+// Positions by Hermite's cubic and velocities by its derivative, the rest linear.
+void Arkode::glance(double t, State& state) {
+  const double h = t_end_ - t_begin_, s = h > 0.0 ? (t - t_begin_) / h : 1.0;
+  for (std::size_t i = 0; i < end_.size(); ++i) y()[i] = begin_[i] + s * (end_[i] - begin_[i]);
+  for (int i = 0; h > 0.0 && i < n_; ++i) {
+    const auto k = static_cast<std::size_t>(i), v = k + static_cast<std::size_t>(n_);
+    const double mean = (end_[k] - begin_[k]) / h;
+    const double a = begin_[v] - mean, b = end_[v] - mean;
+    y()[i] += h * s * (1.0 - s) * ((1.0 - s) * a - s * b);
+    y()[n_ + i] = mean + (1.0 - s) * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
   }
   unpack(t, state);
 }

@@ -66,6 +66,9 @@ class Formulation {
   virtual double last_step() const = 0;
   /// t, q, v, z and energy at a time inside the last step, not projected.
   virtual void interpolate(double t, State& state) = 0;
+  /// The same for looks into the last step: it may be less accurate, but asks for no evaluation of
+  /// the equations of motion.
+  virtual void glance(double t, State& state) { interpolate(t, state); }
   /// Event slots that crossed zero upwards at time(), and those that were found to have crossed by
   /// then, at that time or earlier in the step.
   virtual const std::vector<int>& fired() const = 0;

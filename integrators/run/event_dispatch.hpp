@@ -26,6 +26,7 @@ class ElementEvents {
   void handle(const std::vector<int>& fired);
   /// Whether the last handle() changed a contact's memory or a parameter.
   bool changed() const;
+  bool parameters_changed() const { return parameters_changed_; }
 
  private:
   EventContext context_of(const ForceSlot& slot);

@@ -2,46 +2,160 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/event_locator.hpp>
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace yoke {
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr int golden_steps = 30;  // a part of 5e-7 of where it is looked for
+constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of the function
+
+}  // namespace
 
 EventLocator::EventLocator(System& system)
     : system_(system), values_(static_cast<std::size_t>(system.events()), 0.0) {
   fired_.reserve(values_.size());
-}
-
-double EventLocator::locate(Formulation& formulation, double from, State& scratch) {
-  double t = formulation.time();
-  fired_ = formulation.fired();
-  for (const int slot : formulation.passed()) {
-    const double crossing = locate_crossing(formulation, slot, from, scratch);
-    if (crossing < t) {
-      t = crossing;
-      fired_.clear();
-    }
-    if (crossing == t) fired_.push_back(slot);
+  for (const ForceSlot& f : system.forces()) {
+    if (f.element->contacts() > 0) continue;
+    for (int i = 0; i < f.element->events(); ++i) watched_.push_back({.slot = f.events + i});
   }
-  return t;
 }
 
-double EventLocator::locate_crossing(Formulation& formulation, int slot, double from,
-                                     State& scratch) {
+void EventLocator::start(const State& state) {
+  if (watched_.empty()) return;
+  calc(state);
+  for (Watched& w : watched_) {
+    w.seen.back() = values_[static_cast<std::size_t>(w.slot)];
+    w.armed = w.seen.back() < 0.0;
+    if (state.handled_at == state.t && std::ranges::count(state.handled, w.slot) > 0)
+      w.armed = false;
+  }
+}
+
+double EventLocator::locate(Formulation& formulation, Step step, double from, State& scratch) {
+  fired_.clear();
+  t_fired_ = nowhere;
+  if (step == Step::event) locate_passed(formulation, from, scratch);
   const double to = formulation.time();
-  const auto function = [&](double t) {
-    formulation.interpolate(t, scratch);
-    system_.set_motion(t, scratch.q.data(), scratch.v.data());
-    system_.set_states(scratch.z.data());
-    system_.calc_events(values_.data());
-    return values_[static_cast<std::size_t>(slot)];
+  if (!watched_.empty() && to > from) look_inside(formulation, step, from, to, scratch);
+  return std::min(t_fired_, to);
+}
+
+void EventLocator::locate_passed(Formulation& formulation, double from, State& scratch) {
+  fired_ = formulation.fired();
+  t_fired_ = formulation.time();
+  for (const int slot : formulation.passed())
+    note(std::min(locate_crossing(formulation, slot, from, formulation.time(), scratch),
+                  formulation.time()),
+         slot);
+}
+
+/// The first win, and all that fire at one instant.
+void EventLocator::note(double t, int slot) {
+  if (t < t_fired_) {
+    t_fired_ = t;
+    fired_.clear();
+  }
+  if (t == t_fired_ && t < nowhere && std::ranges::count(fired_, slot) == 0) fired_.push_back(slot);
+}
+
+void EventLocator::calc(const State& state) {
+  system_.set_motion(state.t, state.q.data(), state.v.data());
+  system_.set_states(state.z.data());
+  system_.calc_events(values_.data());
+}
+
+double EventLocator::value(Formulation& formulation, int slot, double t, State& scratch) {
+  formulation.interpolate(t, scratch);
+  calc(scratch);
+  return values_[static_cast<std::size_t>(slot)];
+}
+
+void EventLocator::look_inside(Formulation& formulation, Step step, double from, double to,
+                               State& scratch) {
+  for (Watched& w : watched_) w.seen.front() = w.seen.back();
+  for (std::size_t i = 1; i < looks.size(); ++i) {
+    formulation.glance(i + 1 < looks.size() ? from + looks[i] * (to - from) : to, scratch);
+    calc(scratch);
+    for (Watched& w : watched_) w.seen[i] = values_[static_cast<std::size_t>(w.slot)];
+  }
+  for (Watched& w : watched_) {
+    const bool known =
+        step == Step::event && (std::ranges::count(formulation.fired(), w.slot) > 0 ||
+                                std::ranges::count(formulation.passed(), w.slot) > 0);
+    // What the formulation has located at the end of the step it knows better.
+    const std::size_t last = looks.size() - (known ? 2 : 1);
+    note(first_crossing(formulation, w, last, from, to, scratch), w.slot);
+  }
+  for (Watched& w : watched_)
+    w.armed = std::ranges::count(fired_, w.slot) == 0 && (w.armed || w.seen.back() < 0.0);
+}
+
+/// [s] Where a function first crosses zero upwards up to look `last`.
+double EventLocator::first_crossing(Formulation& formulation, const Watched& w, std::size_t last,
+                                    double from, double to, State& scratch) {
+  const auto time = [&](std::size_t i) {
+    return i + 1 == looks.size() ? to : from + looks[i] * (to - from);
   };
-  const double at_from = function(from), at_to = function(to);
-  if (!(at_from < 0.0 && at_to > 0.0)) return to;
+  bool armed = w.armed;
+  for (std::size_t i = 1; i <= last; ++i) {
+    double above = nowhere;
+    if (armed && w.seen[i] >= 0.0)
+      above = time(i);
+    else if (w.seen[i] < 0.0 && i + 1 < looks.size() && is_largest(w, i))
+      above = find_above(formulation, w.slot, {time(i - 1), time(i), time(i + 1)}, scratch);
+    armed = armed || w.seen[i] < 0.0;
+    if (above == nowhere) continue;
+    const double crossing = locate_crossing(formulation, w.slot, time(i - 1), above, scratch);
+    if (crossing < nowhere) return crossing;
+  }
+  return nowhere;
+}
+
+bool EventLocator::is_largest(const Watched& w, std::size_t i) {
+  const double before = w.seen[i] - w.seen[i - 1], after = w.seen[i] - w.seen[i + 1];
+  const double some = flat * std::abs(w.seen[i]);
+  return before >= 0.0 && after >= 0.0 && std::max(before, after) > some;
+}
+
+/// [s] A time at which the function is not negative, by golden section for its maximum, which three
+/// times enclose; or nowhere.
+double EventLocator::find_above(Formulation& formulation, int slot, const std::array<double, 3>& t,
+                                State& scratch) {
+  constexpr double golden = 0.3819660112501051;
+  auto [a, m, b] = t;
+  double largest = value(formulation, slot, m, scratch);
+  for (int i = 0; i < golden_steps && largest < 0.0; ++i) {
+    const bool left = m - a > b - m;
+    const double next = left ? m - golden * (m - a) : m + golden * (b - m);
+    const double there = value(formulation, slot, next, scratch);
+    if (there > largest) {
+      (left ? b : a) = std::exchange(m, next);
+      largest = there;
+    } else {
+      (left ? a : b) = next;
+    }
+  }
+  return largest >= 0.0 ? m : nowhere;
+}
+
+/// [s] Where a function that is negative at `from` and is not at `to` crosses zero, or nowhere.
+double EventLocator::locate_crossing(Formulation& formulation, int slot, double from, double to,
+                                     State& scratch) {
+  const double at_from = value(formulation, slot, from, scratch);
+  const double at_to = value(formulation, slot, to, scratch);
+  if (!(at_from < 0.0 && at_to >= 0.0)) return nowhere;
+  if (at_to == 0.0) return to;
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
-      function, from, to, at_from, at_to,
+      [&](double t) { return value(formulation, slot, t, scratch); }, from, to, at_from, at_to,
       boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits), iterations);
   return bracket.second;
 }

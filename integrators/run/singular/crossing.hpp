@@ -26,6 +26,7 @@ class SingularCrossing final : public Formulation {
   double time() const override { return crossing_ ? t_ : inner_->time(); }
   double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
   void interpolate(double t, State& state) override;
+  void glance(double t, State& state) override;
   const std::vector<int>& fired() const override {
     return crossing_ ? guard_.fired() : inner_->fired();
   }
@@ -37,12 +38,19 @@ class SingularCrossing final : public Formulation {
 
  private:
   static constexpr double near = 0.02;  // of the largest independence seen: leave the formulation
+  // Of the largest: what is reported as crossed.
+  static constexpr double was_singular = 1e-6;
   static constexpr double far = 1e300;  // [s] no singular position in sight
+  static constexpr int sweeps = 3;      // for a measure that is to be compared with the one beside
   // Of the time scale: steps are not cut below for accuracy; while a contact touches its impact
   // must be followed.
   static constexpr double shortest_apart = 1e-3, shortest_touching = 1e-7;
 
-  Step step_inside(double t_stop);
+  Step step_inside(double t_stop, bool looks = true);
+  bool has_passed();
+  double parts_of_step() const;
+  double measure_inside(double t);
+  bool is_minimum_near(double a, double middle, double b);
   void renew();
   Step cross(double t_stop);
   void watch();
@@ -52,11 +60,15 @@ class SingularCrossing final : public Formulation {
   double allowed_energy_change(double energy) const;
   Step abandon_crossing(double t_stop);
   void record_crossed();
+  void record_positions();
   double propose(double rest) const;
   Step accept_segment();
   bool find_event(int& slot, double& t);
   void end_crossing();
-  void report();
+  void look_into_segment(double until);
+  double measure_in_segment(double t);
+  double find_minimum(double a, double b);
+  void note_position();
   double energy(double t, const double* y);
   void unpack(double t, const double* y, State& state) const;
   void check_redundant(double t, const double* q);
@@ -74,6 +86,7 @@ class SingularCrossing final : public Formulation {
   std::vector<bool> is_work_;
 
   State here_;                      // where the last step ended, or a restart began
+  State next_, inside_;             // where the step ends that has just been made; scratch
   double m_ = 1.0, largest_ = 0.0;  // independence there and the largest seen
   double t_m_ = 0.0, m_before_ = 1.0, dt_ = 1.0;
   bool has_before_ = false;
@@ -86,8 +99,11 @@ class SingularCrossing final : public Formulation {
   int segments_ = 0;
   double m_entry_ = 0.0, m_last_ = 0.0;
   double energy_entry_ = 0.0, kinetic_entry_ = 0.0;
-  SingularPosition found_;
+  SingularPosition found_, least_;  // the least of this crossing; of the last find_minimum()
+  bool falls_at_end_ = false;       // the independence, in the last segment
   bool has_found_ = false;
+  std::vector<SingularPosition> positions_;  // where the rank fell, not yet recorded
+  bool has_recorded_ = false;                // any of this crossing
   std::vector<double> y_, g_;
   std::vector<int> found_events_;
   std::string failure_, inner_failure_;

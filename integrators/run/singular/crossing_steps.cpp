@@ -20,6 +20,7 @@ constexpr double nearly_singular = 1e-4;
 constexpr double shortest_regular = 1e-6;  // of the time scale, elsewhere
 constexpr double bearable = 10.0;          // error that rounding may leave, of the tolerance
 constexpr double energy_share = 100.0;     // of the relative tolerance
+constexpr double far_enough = 0.6;         // of the largest independence
 constexpr int max_attempts = 200;
 constexpr int max_segments = 2000;  // without getting away
 
@@ -28,7 +29,9 @@ constexpr int max_segments = 2000;  // without getting away
 Step SingularCrossing::cross(double t_stop) {
   const double energy_before = energy(t_, segment_.end.data());
   if (!try_step(t_stop, energy_before)) return Step::failed;
-  return accept_segment();
+  const Step step = accept_segment();
+  if (step == Step::event || t_ >= t_stop) record_positions();  // the crossing may end here
+  return step;
 }
 
 // What a step, or the whole crossing, may change in the energy balance: more is reported. 0.01 of
@@ -98,15 +101,17 @@ bool SingularCrossing::try_step(double t_stop, double energy_before) {
     const double error =
         collapses ? distance : std::max(distance, change / allowed_energy_change(energy_before));
     const double factor = std::clamp(0.9 * std::pow(std::max(error, 1e-12), -1.0 / 9.0), 0.3, 2.0);
-    const double shortest = (collapses ? shortest_ : shortest_regular) * scale;
-    // An error that does not fall with the step is rounding.
-    if (error > 1.0 && h > shortest && error < 0.5 * last_error) {
+    const double shortest = (collapses ? shortest_ : std::min(shortest_, shortest_regular)) * scale;
+    // An error that does not fall with the step is rounding; a large one may be the corner of a
+    // force, where a contact ends within the step.
+    const bool unbearable = !collapses && error > bearable;
+    if (error > 1.0 && h > shortest && (error < 0.5 * last_error || unbearable)) {
       last_error = error;
       h_ = std::max(factor * h, shortest);
       ++own_.rejected;
       continue;
     }
-    if (!collapses && error > bearable) break;
+    if (unbearable) break;
     h_ = std::clamp(factor * std::max(h, h_), shortest, longest * scale);
     return true;
   }
@@ -162,6 +167,7 @@ Step SingularCrossing::accept_segment() {
   int slot = 0;
   double t_event = 0.0;
   if (guard_.count() > 0 && find_event(slot, t_event)) {
+    look_into_segment(t_event);
     gauss_.interpolate(segment_, t_event, segment_.end.data());
     double m = 1.0;
     gauss_.project(t_event, segment_.end.data(), 0.0, m);
@@ -173,55 +179,84 @@ Step SingularCrossing::accept_segment() {
     unpack(t_, segment_.end.data(), here_);
     return Step::event;
   }
-  report();
+  look_into_segment(segment_.t + segment_.h);
   t_ = segment_.t + segment_.h;
   unpack(t_, segment_.end.data(), here_);
   guard_.accept(t_, segment_.end.data(), segment_.end.data() + n, segment_.end.data() + 2 * n);
   check_redundant(t_, here_.q.data());
   gauss_.interpolate(segment_, t_ - 0.02 * segment_.h, y_.data());
-  const double before = dynamics_.independence(t_ - 0.02 * segment_.h, y_.data(), 3);
-  const double m = dynamics_.independence(t_, segment_.end.data(), 3);
+  const double before = dynamics_.independence(t_ - 0.02 * segment_.h, y_.data(), sweeps);
+  const double m = dynamics_.independence(t_, segment_.end.data(), sweeps);
   const bool rising = m > before;
   const double fall = (std::sqrt(before) - std::sqrt(m)) / (0.02 * segment_.h);
   to_singular_ = fall > 0.0 ? std::sqrt(m) / fall : far;
   m_last_ = m;
   largest_ = std::max(largest_, m);
-  const double away = std::max({2.0 * m_entry_, 5.0 * near * largest_});
+  const double away =
+      std::min(std::max(2.0 * m_entry_, 5.0 * near * largest_), far_enough * largest_);
   if (rising && m > away) end_crossing();
   if (!leaving_ && segments_ > max_segments) end_crossing();
   return failure_.empty() ? Step::advanced : Step::failed;
 }
 
-// The least independence within the segment, by golden section.
-void SingularCrossing::report() {
-  if (has_found_ && segment_.least > found_.independence) return;
-  const auto measure = [&](double t) {
-    gauss_.interpolate(segment_, t, y_.data());
-    return dynamics_.independence(t, y_.data());
+// All minima of the independence within the segment up to a time: there may be several. Looks beside the ends
+// tell whether it falls or rises there.
+void SingularCrossing::look_into_segment(double until) {
+  constexpr int looks = 16;
+  constexpr double edge = 0.02;
+  const auto place = [&](int i) {
+    const double part = i == 1 ? edge : i == looks + 1 ? looks - edge : std::clamp(i - 1, 0, looks);
+    return segment_.t + (until - segment_.t) * part / looks;
   };
-  constexpr double golden = 0.6180339887498949;
-  double low = segment_.t, high = segment_.t + segment_.h;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double m_a = measure(a), m_b = measure(b);
-  for (int i = 0; i < 40; ++i) {
-    if (m_a < m_b) {
-      high = std::exchange(b, a);
-      m_b = m_a;
-      a = high - golden * (high - low);
-      m_a = measure(a);
+  double before = 1.0, now = measure_in_segment(place(0));
+  double after = measure_in_segment(place(1));
+  if (now <= after) {
+    const bool at_end = find_minimum(place(0), place(1)) == place(0);
+    if (!at_end || falls_at_end_ || segments_ == 1) note_position();
+  }
+  for (int i = 1; i <= looks + 1; ++i) {
+    before = std::exchange(now, after);
+    after = measure_in_segment(place(i + 1));
+    if (now >= before || now > after) continue;
+    find_minimum(place(i - 1), place(i + 1));
+    note_position();
+  }
+  falls_at_end_ =
+      after < now && find_minimum(place(looks + 1), place(looks + 2)) == place(looks + 2);
+  if (after < now && !falls_at_end_) note_position();
+}
+
+double SingularCrossing::measure_in_segment(double t) {
+  gauss_.interpolate(segment_, t, y_.data());
+  return dynamics_.independence(t, y_.data(), sweeps);
+}
+
+/// Golden section: where, between a and b or at one of them.
+double SingularCrossing::find_minimum(double a, double b) {
+  constexpr double golden = 0.3819660112501051;
+  const double first = a, last = b, close = 1e-7 * (b - a);
+  double middle = a + golden * (b - a), least = measure_in_segment(middle);
+  while (b - a > close) {
+    const bool left = middle - a > b - middle;
+    const double next = left ? middle - golden * (middle - a) : middle + golden * (b - middle);
+    const double there = measure_in_segment(next);
+    if (there < least) {
+      (left ? b : a) = std::exchange(middle, next);
+      least = there;
     } else {
-      low = std::exchange(a, b);
-      m_a = m_b;
-      b = low + golden * (high - low);
-      m_b = measure(b);
+      (left ? a : b) = next;
     }
   }
-  const double m = std::min(m_a, m_b);
-  if (has_found_ && m >= found_.independence) return;
+  const double t = a == first ? first : b == last ? last : middle;
+  least_ = {.t = t, .equation = {}, .independence = measure_in_segment(t)};
+  least_.equation = dynamics_.system().equation_name(dynamics_.weakest_row());
+  if (!has_found_ || least_.independence < found_.independence) found_ = least_;
   has_found_ = true;
-  found_.t = m_a < m_b ? a : b;
-  found_.independence = m;
-  found_.equation = dynamics_.system().equation_name(dynamics_.weakest_row());
+  return t;
+}
+
+void SingularCrossing::note_position() {
+  if (least_.independence < was_singular * largest_) positions_.push_back(least_);
 }
 
 }  // namespace yoke

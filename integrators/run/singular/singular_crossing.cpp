@@ -13,11 +13,14 @@ namespace yoke {
 
 namespace {
 
+constexpr double in_sight = 0.3;            // of the largest independence: may come near
 constexpr double troubled = 0.1;            // the same, if the formulation fails
 constexpr double singular_at_start = 1e-8;  // absolute, while nothing larger has been seen
-constexpr double was_singular = 1e-6;       // of the largest: what is reported as crossed
 constexpr double look_ahead = 4.0;          // steps
-constexpr double energy_bound = 1e-6;       // of the energies that take part
+constexpr double longest_part = 0.1;        // rad or length scales between looks into a step
+constexpr int most_looks = 100;
+constexpr double edge = 1e-2;          // of a part
+constexpr double energy_bound = 1e-6;  // of the energies that take part
 
 }  // namespace
 
@@ -45,7 +48,7 @@ void SingularCrossing::start(const State& state) {
   const bool touching = std::ranges::any_of(
       state.contacts, [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
   shortest_ = touching ? shortest_touching : shortest_apart;
-  here_ = state;
+  here_ = next_ = inside_ = state;
   leaving_ = entering_ = has_before_ = false;
   t_m_ = state.t;
   if (watches_) {
@@ -76,7 +79,11 @@ Step SingularCrossing::step(double t_stop) {
   }
   if (entering_) {
     entering_ = false;
-    if (choose_other_rows()) return step_inside(t_stop);
+    if (choose_other_rows()) {
+      const Step step = step_inside(t_stop);
+      if (step != Step::failed || !entering_) return step;
+      entering_ = false;
+    }
     begin_crossing();
   }
   const Step step = cross(t_stop);
@@ -95,7 +102,7 @@ Step SingularCrossing::abandon_crossing(double t_stop) {
   hold_off_ = 0.3 * m_last_;
   renew();
   inner_->start(here_);
-  return step_inside(t_stop);
+  return step_inside(t_stop, false);
 }
 
 // Pivots chosen near a singular position are bad ones and the measure of what is a bad one.
@@ -106,10 +113,18 @@ void SingularCrossing::renew() {
   inner_ = entry_.make(dynamics_, tolerances_);
 }
 
-Step SingularCrossing::step_inside(double t_stop) {
+// Failed, and entering_: the step is to be taken back, as it has passed a singular position.
+Step SingularCrossing::step_inside(double t_stop, bool looks) {
   const Step step = inner_->step(t_stop);
+  if (step != Step::failed) {
+    inner_->interpolate(inner_->time(), next_);
+    if (looks && watches_ && has_passed()) {
+      entering_ = true;
+      return Step::failed;
+    }
+    std::swap(here_, next_);
+  }
   if (step == Step::advanced) {
-    inner_->interpolate(inner_->time(), here_);
     check_redundant(here_.t, here_.q.data());
     if (watches_) watch();
   } else if (step == Step::failed && watches_) {
@@ -117,6 +132,72 @@ Step SingularCrossing::step_inside(double t_stop) {
     inner_failure_ = inner_->failure();
   }
   return step;
+}
+
+// How far the step has moved the mechanism, in parts that are small enough to see a fall and rise of
+// the independence.
+double SingularCrossing::parts_of_step() const {
+  const double length = dynamics_.system().scales().length;
+  double fastest = 0.0;
+  for (const State* state : {&here_, &next_})
+    for (Eigen::Index i = 0; i < state->v.size(); ++i)
+      fastest = std::max(fastest, std::abs(state->v[i]) / (i % 3 == 2 ? 1.0 : length));
+  return fastest * (next_.t - here_.t) / longest_part;
+}
+
+double SingularCrossing::measure_inside(double t) {
+  inner_->glance(t, inside_);
+  return dynamics_.independence(t, inside_.q.data(), sweeps);
+}
+
+// Has a singular position been passed between here_ and next_? With tight tolerances steps are so
+// short that watch() sees it come.
+bool SingularCrossing::has_passed() {
+  const double parts = parts_of_step(), t = here_.t, h = next_.t - t;
+  if (!(parts > 1.0)) return false;
+  const int looks = std::min(1 + static_cast<int>(parts), most_looks);
+  const double part = h / looks;
+  if (t_m_ != t) {  // an event that nobody has restarted for
+    m_ = dynamics_.independence(t, here_.q.data());
+    t_m_ = t;
+  }
+  double before = m_, now = measure_inside(t + part);
+  // What rises at once has its minimum in the first part or before, what falls in the end in the
+  // last one or behind.
+  if (now >= before && before < in_sight * largest_ && measure_inside(t + edge * part) < before &&
+      is_minimum_near(t, t + edge * part, t + part))
+    return true;
+  for (int i = 1; i < looks; ++i) {
+    const double after = measure_inside(t + (i + 1) * part);
+    if (now <= before && now <= after && now < in_sight * largest_ &&
+        is_minimum_near(t + (i - 1) * part, t + i * part, t + (i + 1) * part))
+      return true;
+    before = std::exchange(now, after);
+  }
+  const double last = next_.t - edge * part;
+  return now < before && now < in_sight * largest_ && measure_inside(last) < now &&
+         is_minimum_near(next_.t - part, last, next_.t);
+}
+
+// The least independence between a and b, which enclose it, by golden section: is it one to stay
+// away from?
+bool SingularCrossing::is_minimum_near(double a, double middle, double b) {
+  constexpr double golden = 0.3819660112501051;
+  constexpr int golden_steps = 30;
+  const double bound = std::min(near * largest_, hold_off_);
+  double least = measure_inside(middle);
+  for (int i = 0; i < golden_steps && least >= bound; ++i) {
+    const bool left = middle - a > b - middle;
+    const double next = left ? middle - golden * (middle - a) : middle + golden * (b - middle);
+    const double there = measure_inside(next);
+    if (there < least) {
+      (left ? b : a) = std::exchange(middle, next);
+      least = there;
+    } else {
+      (left ? a : b) = next;
+    }
+  }
+  return least < bound;
 }
 
 void SingularCrossing::watch() {
@@ -130,8 +211,8 @@ void SingularCrossing::watch() {
   if (m > 5.0 * near * largest_) hold_off_ = 2.0;
   if (!(m < m_before_) || m > hold_off_ || !has_before_) return;
   const double s = std::sqrt(m), rate = (s - std::sqrt(m_before_)) / dt_;
-  entering_ = m < near * largest_ ||
-              (m < 0.3 * largest_ && s < -rate * look_ahead * std::max(dt_, inner_->last_step()));
+  entering_ = m < near * largest_ || (m < in_sight * largest_ &&
+                                      s < -rate * look_ahead * std::max(dt_, inner_->last_step()));
 }
 
 void SingularCrossing::check_redundant(double t, const double* q) {
@@ -194,6 +275,9 @@ void SingularCrossing::begin_crossing() {
   crossing_ = true;
   leaving_ = has_found_ = false;
   found_ = {};
+  positions_.clear();
+  has_recorded_ = false;
+  falls_at_end_ = false;
   segments_ = 0;
   failure_.clear();
   t_ = here_.t;
@@ -230,14 +314,27 @@ void SingularCrossing::end_crossing() {
         found_.energy_after - energy_entry_, energy_entry_, found_.equation, found_.t);
 }
 
-// A singular position, or one that cost energy although it was none.
+// Singular positions, or one that cost energy although it was none.
 void SingularCrossing::record_crossed() {
   if (!has_found_) return;
   found_.energy_before = energy_entry_;
   found_.energy_after = energy(t_, segment_.end.data());
   const double jump = std::abs(found_.energy_after - found_.energy_before);
-  if (found_.independence < was_singular * largest_ || jump > allowed_energy_change(energy_entry_))
-    record_(found_);
+  if (!has_recorded_ && positions_.empty() && jump > allowed_energy_change(energy_entry_))
+    positions_.push_back(found_);
+  record_positions();
+}
+
+void SingularCrossing::record_positions() {
+  if (positions_.empty()) return;
+  const double now = energy(t_, segment_.end.data());
+  for (SingularPosition& position : positions_) {
+    position.energy_before = energy_entry_;
+    position.energy_after = now;
+    record_(position);
+  }
+  has_recorded_ = true;
+  positions_.clear();
 }
 
 void SingularCrossing::interpolate(double t, State& state) {
@@ -251,6 +348,10 @@ void SingularCrossing::interpolate(double t, State& state) {
   }
   gauss_.interpolate(segment_, t, y_.data());
   unpack(t, y_.data(), state);
+}
+
+void SingularCrossing::glance(double t, State& state) {
+  crossing_ ? interpolate(t, state) : inner_->glance(t, state);
 }
 
 StepCounters SingularCrossing::counters() const {

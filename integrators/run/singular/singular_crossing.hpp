@@ -8,6 +8,8 @@
 //
 //   watch    after every accepted step, Dynamics::independence(): m, which falls like the square of
 //            the distance to the singular position. No look at mechanisms without closed loops.
+//            Steps that move the mechanism far (`longest_part`) are looked into on the dense
+//            output; one that has passed a singular position is taken back.
 //   leave    the formulation when m is a small part of the largest seen (`near`), or heads for zero
 //            within the next steps (`look_ahead`), or the formulation fails with m small
 //            (`troubled`).
@@ -17,7 +19,8 @@
 //            position (`too_close`) moves by a change of the step. A method of 4 stages controls
 //            the error of the steps, which are never shorter on its account than a share of the
 //            time scale (`shortest_apart`, in contact `shortest_touching`).
-//   return   to the formulation when m has doubled, with energy before and after compared.
+//   return   to the formulation when m has doubled, with energy before and after compared. All
+//            minima of m met on the way are recorded, if it has vanished there.
 //
 // Contacts and events inside the crossing are located on the collocation polynomial as elsewhere.
 //

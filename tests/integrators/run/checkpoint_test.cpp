@@ -12,6 +12,7 @@
 #include <yoke/core/event_function.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
+#include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/tests/files.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 #include <yoke/tests/messages.hpp>
@@ -87,6 +88,41 @@ TEST_CASE("a run that is taken up gives the same bits as the one that was not in
         REQUIRE(stopped.summary.stop == Stop::interrupted);
         check_same(resume(model, cut_short.path()), reference);
       }
+    }
+  }
+}
+
+TEST_CASE("a formulation that an event has changed survives being taken up") {
+  Model m;
+  const BodyId b =
+      m.add(Body{.name = "mass", .mass = 1.0, .inertia = 1.0, .pose = {{1.5, 0.0}, 0.0}});
+  m.add(TranslationalSpring{.name = "oil",
+                            .a = ground,
+                            .b = b,
+                            .at_a = {0.0, 0.0},
+                            .at_b = {1.5, 0.0},
+                            .stiffness = 40.0,
+                            .damping = 1.0,
+                            .free_length = 1.0});
+  for (const double at : {0.5, 1.5})
+    m.add(EventFunction{.name = at < 1.0 ? "thicker" : "thinner",
+                        .function = [at](const Motion& now) { return now.t - at; },
+                        .set = {{"oil.damping", at < 1.0 ? 1e5 : 1.0}}});
+  for (const double every : {0.13, 0.0}) {  // by time, or at each event
+    TemporaryFolder whole, cut_short;
+    SimulationOptions o{.until = 2.0,
+                        .relative_tolerance = 1e-6,
+                        .samples = 101,
+                        .time_scale = 1.0,
+                        .checkpoints = {.folder = whole.path(), .every = every}};
+    if (every == 0.0) o.checkpoints.every_events = 1;
+    const Result reference = simulate(m, o);
+    REQUIRE_MESSAGE(reference.summary.ok(), reference.summary.reason);
+    CHECK(reference.summary.notes.size() == 2);
+    for (const double part : {0.3, 0.6, 0.95}) {
+      o.checkpoints.folder = cut_short.path();
+      interrupted_run(m, o, static_cast<long>(part * static_cast<double>(reference.summary.steps)));
+      check_same(resume(m, cut_short.path()), reference);
     }
   }
 }

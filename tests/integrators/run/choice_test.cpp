@@ -9,6 +9,7 @@
 #include <string>
 
 #include <yoke/core/authoring/auto_force.hpp>
+#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/analyses/verify.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
@@ -66,6 +67,32 @@ TEST_CASE("BDF is chosen where stability would bound explicit steps, and is wort
   explicit_options.formulation = "arkode-projection";
   const Result slow = simulate(in_oil(1e5), explicit_options);
   CHECK(slow.summary.evaluations > 20 * run.summary.evaluations);
+}
+
+TEST_CASE("an event that makes a force stiff changes the formulation, and back, and it is noted") {
+  // x'' + c x' + c (x - 1) = 0 with c = 1e5 between 1 s and 3 s, else c = 1.
+  Model m = in_oil(1.0);
+  for (const double at : {1.0, 3.0}) {
+    const double c = at < 2.0 ? 1e5 : 1.0;
+    m.add(EventFunction{.name = at < 2.0 ? "thicker" : "thinner",
+                        .function = [at](const Motion& now) { return now.t - at; },
+                        .set = {{"oil.damping", c}, {"oil.stiffness", c}}});
+  }
+  const SimulationOptions options{.until = 4.0, .relative_tolerance = 1e-6, .time_scale = 1.0};
+  const Result run = simulate(m, options);
+  REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+  CHECK(run.summary.formulation == "arkode-projection");
+  REQUIRE(run.summary.notes.size() == 2);
+  CHECK(run.summary.notes[0].starts_with(
+      "formulation changed at t = 1 s from arkode-projection to cvode-projection: 'oil' is stiff"));
+  CHECK(run.summary.notes[1].starts_with(
+      "formulation changed at t = 3 s from cvode-projection to arkode-projection"));
+  SimulationOptions explicit_options = options;
+  explicit_options.formulation = "arkode-projection";
+  const Result slow = simulate(m, explicit_options);
+  CHECK(slow.summary.notes.empty());
+  CHECK(slow.summary.evaluations > 20 * run.summary.evaluations);
+  CHECK(std::abs(slow.final.q[0] - run.final.q[0]) < 1e-5);
 }
 
 TEST_CASE("what is asked for runs; what does not exist is refused with the list") {

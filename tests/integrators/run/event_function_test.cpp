@@ -249,3 +249,52 @@ TEST_CASE("what a user's function says when it throws comes first, in every form
     CHECK(run.summary.t_end < 0.11);
   }
 }
+
+TEST_CASE("an excursion above zero and back within one step is found") {
+  // A cart swings slowly, x = 1.5 sin(0.2 t), with steps of a second. It passes a light barrier of
+  // 8 mm, and a resonance in time is above its threshold for 20 ms.
+  const double gate = 1.1, half = 0.004, peak = 6.7, width = 0.01;
+  for (const FormulationNote& f : formulations()) {
+    for (const double rtol : {1e-3, 1e-5, 1e-8}) {
+      INFO(f.name, " ", rtol);
+      Model m;
+      const BodyId cart = m.add(Body{
+          .name = "cart", .mass = 1.0, .inertia = 1.0, .pose = {}, .twist = {{0.3, 0.0}, 0.0}});
+      m.add(TranslationalSpring{.name = "spring",
+                                .a = ground,
+                                .b = cart,
+                                .at_a = {-10.0, 0.0},
+                                .at_b = {0.0, 0.0},
+                                .stiffness = 0.04,
+                                .free_length = 10.0});
+      m.add(EventFunction{.name = "barrier", .function = [=](const Motion& at) {
+                            const double off = (at[cart].x - gate) / half;
+                            return 1.0 - off * off;
+                          }});
+      m.add(EventFunction{.name = "resonance", .function = [=](const Motion& at) {
+                            const double off = (at.t - peak) / width;
+                            return 1.0 / (1.0 + off * off) - 0.5;
+                          }});
+      const Result run = simulate(m, {.until = 10.0,
+                                      .relative_tolerance = rtol,
+                                      .formulation = std::string(f.name),
+                                      .samples = 0});
+      REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+      REQUIRE(run.events.size() == 4);
+      const double sooner = std::asin((gate - half) / 1.5) / 0.2;
+      const double later = std::asin((gate + half) / 1.5) / 0.2;
+      // Velocities err by the tolerance times the amplitude's rate, in a run of this length.
+      const double place = 100.0 * rtol;
+      CHECK(run.events[0].element == "barrier");
+      CHECK(run.events[0].region == "upwards");
+      CHECK(std::abs(run.events[0].t - sooner) < place);
+      CHECK(run.events[1].region == "downwards");
+      CHECK(std::abs(run.events[1].t - later) < place);
+      CHECK(run.events[2].element == "resonance");
+      CHECK(run.events[2].region == "upwards");
+      CHECK(std::abs(run.events[2].t - (peak - width)) < 1e-9);
+      CHECK(run.events[3].region == "downwards");
+      CHECK(std::abs(run.events[3].t - (peak + width)) < 1e-9);
+    }
+  }
+}

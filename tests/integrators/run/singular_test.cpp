@@ -163,6 +163,39 @@ TEST_CASE("the N-four-bar passes its singular positions on the smooth branch") {
   }
 }
 
+TEST_CASE("no singular position is passed without notice, however long the steps") {
+  for (const FormulationNote& formulation : formulations()) {
+    for (const int loops : {1, 2, 3}) {
+      for (const double rtol : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        INFO(formulation.name, " ", loops, " ", rtol);
+        const Result run = simulate(cases::n_four_bar({.loops = loops}),
+                                    {.until = 3.0,
+                                     .relative_tolerance = rtol,
+                                     .formulation = std::string(formulation.name),
+                                     .samples = 301});
+        REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+        CHECK(run["bar 1.angle_rad"].cwiseAbs().maxCoeff() < 1e-9);  // the branch
+        const Eigen::VectorXd t = run["t_s"], angle = run["link 0.angle_rad"];
+        const auto& found = run.summary.singular_positions;
+        std::size_t passed = 0;
+        for (Eigen::Index i = 1; i < t.size(); ++i) {
+          if (std::floor(angle[i] / pi) == std::floor(angle[i - 1] / pi)) continue;
+          REQUIRE(passed < found.size());
+          CHECK(found[passed].t > t[i - 1]);
+          CHECK(found[passed].t < t[i]);
+          ++passed;
+        }
+        CHECK(passed >= 2);
+        CHECK(passed == found.size());
+        CHECK(std::ranges::count(run.events, "singular_position", &EventRecord::kind) ==
+              static_cast<std::ptrdiff_t>(passed));
+        for (const SingularPosition& p : found)
+          CHECK(std::abs(p.energy_after - p.energy_before) < rtol * run.summary.energy_exchanged);
+      }
+    }
+  }
+}
+
 TEST_CASE("a run can start exactly at a singular position; the velocities choose the branch") {
   for (const FormulationNote& formulation : formulations()) {
     INFO(formulation.name);
