@@ -101,7 +101,6 @@ void add_modes_verb(CLI::App& app, Action& action) {
             ->capture_default_str();
         verb.add_option("--lowest", *lowest,
                         "this many of the lowest modes; 0: all, or 10 of a large model")
-            ->check(CLI::NonNegativeNumber)
             ->capture_default_str();
       },
       [about, lowest](const Model& model, const RunRequest& request,

@@ -91,7 +91,8 @@ bool undamped_at_rest(const Linearisation& l) {
   return (l.K - transpose).norm() <= symmetric_below * l.K.norm();
 }
 
-void find_lowest(Modes& found, int count) {
+/// Empty, or how many were found.
+std::string find_lowest(Modes& found, int count) {
   const Linearisation& l = found.linearisation;
   if (undamped_at_rest(l)) {
     const LowestModes lowest = lowest_undamped(l, std::min(count, l.degrees_of_freedom()));
@@ -102,7 +103,7 @@ void find_lowest(Modes& found, int count) {
       found.stable = false;
       found.modes.push_back(make_mode(-s, lowest.shapes[i], l.mass));
     }
-    return;
+    return {};
   }
   const int states = 2 * l.degrees_of_freedom() + static_cast<int>(l.z_z.rows());
   const LowestModes lowest = lowest_general(l, std::min(2 * count, states));
@@ -116,6 +117,11 @@ void find_lowest(Modes& found, int count) {
     if (s.real() > 1e-9 * largest) found.stable = false;
     found.modes.push_back(make_mode(s, lowest.shapes[i], l.mass));
   }
+  if (lowest.complete) return {};
+  return fmt::format(
+      "only {} modes were found, the others that are wanted lie too close together to be told "
+      "apart, as overdamped motions do about -stiffness/damping",
+      found.modes.size());
 }
 
 Modes lowest_modes(Dynamics& dynamics, const State& state, int count) {
@@ -128,10 +134,12 @@ Modes lowest_modes(Dynamics& dynamics, const State& state, int count) {
                     system.dofs() + system.states(), largest_linearisation));
   found.linearisation = linearise_sparse(dynamics, state);
   if (found.linearisation.degrees_of_freedom() == 0) return found;
-  find_lowest(found, count);
+  const std::string crowded = find_lowest(found, count);
   double rate = 0.0;
   for (const Mode& mode : found.modes) rate = std::max(rate, std::abs(mode.eigenvalue));
-  found.linearisation.warning = restlessness(system, state, rate);
+  std::string& warning = found.linearisation.warning;
+  warning = restlessness(system, state, rate);
+  if (!crowded.empty()) warning += (warning.empty() ? "" : "; ") + crowded;
   return found;
 }
 

@@ -24,7 +24,8 @@ constexpr double zero_share = 1e-8;   // of the range: a motion without stiffnes
 constexpr double nothing = 1e-18;     // of the largest: below all that numbers can tell
 constexpr int max_rounds = 6;
 constexpr double converged = 1e-12;
-constexpr int max_restarts = 3000;
+constexpr int max_restarts = 3000, least_restarts = 20;
+constexpr double patience = 6e5;  // unknowns times restarts of the general problem
 
 using Vector = Eigen::VectorXd;
 
@@ -278,11 +279,15 @@ LowestModes lowest_general(const Linearisation& l, int count) {
     Spectra::GenEigsSolver<InverseRate> solver(op, count, krylov);
     const Vector start = start_vector(op);
     solver.init(start.data());
-    if (solver.compute(Spectra::SortRule::LargestMagn, max_restarts, converged) < count)
-      give_up(count);
+    const int restarts = static_cast<int>(std::clamp(patience / static_cast<double>(op.rows()),
+                                                     double{least_restarts}, double{max_restarts}));
+    const bool complete =
+        solver.compute(Spectra::SortRule::LargestMagn, restarts, converged) >= count;
     const Eigen::VectorXcd inverse = solver.eigenvalues();
+    if (inverse.size() == 0) give_up(count);
     const Eigen::MatrixXcd vectors = solver.eigenvectors();
     modes = {};
+    modes.complete = complete;
     double largest = 0.0;
     for (Eigen::Index i = 0; i < inverse.size(); ++i) {
       modes.values.push_back(shift + 1.0 / inverse[i]);
@@ -291,7 +296,7 @@ LowestModes lowest_general(const Linearisation& l, int count) {
                                  .head(l.mass.size())
                                  .cwiseQuotient(l.metric.cwiseSqrt().cast<std::complex<double>>()));
     }
-    if (shift < near_enough * largest || largest < nothing * rate) break;
+    if (!complete || shift < near_enough * largest || largest < nothing * rate) break;
     shift = beside * largest;
   }
   return modes;

@@ -19,12 +19,15 @@ namespace yoke {
 struct LowestModes {
   std::vector<std::complex<double>> values;  // s [1/s], those nearest to zero
   std::vector<Eigen::VectorXcd> shapes;      // [n] of the coordinates
+  bool complete = true;                      // all that were asked for have converged
 };
 
 /// Of the symmetric problem without dampers and states: s^2 real, one value for each, +i omega, or
 /// +sqrt(-omega^2) where it is unstable. Throws ModelError if the iteration does not converge.
 LowestModes lowest_undamped(const Linearisation& l, int count);
-/// Of the general problem, all s of pairs.
+/// Of the general problem, all s of pairs. Overdamped motions crowd about -k/c, the more of them the
+/// larger the model, and cannot be told apart there: after a while those that have converged are
+/// returned. Throws ModelError if there are none.
 LowestModes lowest_general(const Linearisation& l, int count);
 
 }  // namespace yoke
