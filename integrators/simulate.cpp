@@ -169,8 +169,7 @@ void Run::choose_formulation_anew() {
   Summary& summary = result_.summary;
   if (summary.formulation_reason == asked_for) return;
   dynamics_.system().bind(state_);
-  const Choice choice =
-      yoke::choose_formulation(dynamics_, state_, options_.relative_tolerance);
+  const Choice choice = yoke::choose_formulation(dynamics_, state_, options_.relative_tolerance);
   if (choice.name == entry_.name) return;
   const auto noted = std::ranges::count_if(summary.notes, [](const std::string& note) {
     return note.starts_with(change_of_formulation);
