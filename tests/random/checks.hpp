@@ -24,7 +24,11 @@
 // faster. Where the bound exceeds 1 % the mechanism is called sensitive and not compared.
 //
 // A change of description rounds the lengths of the links. Where a truly singular position was
-// crossed, the motion depends on the root of that: 10 sqrt(rounding) A more is allowed.
+// crossed, the motion depends on the root of that: 10 sqrt(rounding) A more is allowed, and
+// sqrt(rounding) of energy and drift.
+//
+// A quarter of the mechanisms also runs at 1e-13 (`tight`), with arkode-projection or ida-ggl: the
+// tightest tolerance accepted must be reached, and shows the error of the first run.
 //
 // A run that ends for a good reason is no fault but counted: a driver at a dead point (the smallest
 // singular value of the constraints, relative to that at the start, is below 1e-2), a contact law
@@ -50,6 +54,7 @@ struct Verdict {
   std::string outcome = "ok";  // or sensitive, dead point, law limit, long, refused, failed
   std::vector<Fault> faults;
   long steps = 0;                          // of the first run
+  double seconds = 0.0;                    // of processor and waiting, all checks
   std::map<std::string, double> measures;  // by check: what was found over what is allowed
 
   bool has(const std::string& kind) const {

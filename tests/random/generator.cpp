@@ -346,16 +346,16 @@ class Generator {
     return sum;
   }
 
-  void slot() {
+  /// A pin within the clearance of a slot.
+  SlotData placed_slot(double& clearance) {
     SlotData s;
-    s.name = next("slot");
     const auto bodies = pair();
     s.pin_body = bodies ? bodies->second : 1;
     s.slot_body = bodies ? bodies->first : 0;
     if (s.slot_body != 0 && r_.chance(0.3)) std::swap(s.pin_body, s.slot_body);
     s.arc_radius = d_.size * r_.between(0.3, 1.5);
     s.half_width = d_.size * r_.between(0.02, 0.06);
-    const double clearance = s.half_width * (r_.chance(0.5) ? 0.1 : 0.01) * r_.between(1.0, 5.0);
+    clearance = s.half_width * (r_.chance(0.5) ? 0.1 : 0.01) * r_.between(1.0, 5.0);
     s.radius = s.half_width - clearance;
     s.angle = r_.between(0.6, 3.5);
     s.direction = r_.between(-3.0, 3.0);
@@ -363,6 +363,31 @@ class Generator {
     const double along = s.direction + 0.35 * s.angle * r_.between(-1.0, 1.0);
     const double across = s.arc_radius + clearance * r_.between(-0.8, 0.8);
     s.center = s.pin - across * unit_vector(along);
+    return s;
+  }
+
+  /// True if the pin can move across the slot: laws with an effective mass need it.
+  bool gives_way(const SlotData& s) {
+    JointData across;
+    across.kind = JointKind::displacement_driver;
+    across.name = "across";
+    across.a = s.slot_body;
+    across.b = s.pin_body;
+    across.at = s.pin;
+    across.along = s.pin - s.center;
+    const int before = rank();
+    d_.joints.push_back(across);
+    const int after = rank();
+    d_.joints.pop_back();
+    return after > before;
+  }
+
+  void slot() {
+    double clearance = 0.0;
+    SlotData s = placed_slot(clearance);
+    for (int tries = 0; tries < 10 && !gives_way(s); ++tries) s = placed_slot(clearance);
+    if (!gives_way(s)) return;
+    s.name = next("slot");
     const int laws = r_.chance(0.7) ? 1 : 3;
     double lightest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < laws; ++k) {

@@ -95,7 +95,9 @@ void measure_energy(const Description& original, Run& run) {
       });
   double heaviest = 0.0;
   for (const BodyData& b : original.bodies) heaviest = std::max(heaviest, b.mass);
-  if (integrals) run.energy_scale += heaviest * std::pow(run.length / run.time, 2);
+  constexpr double of_what_rests = 1e-6;  // at rest there is rounding only
+  run.energy_scale +=
+      (integrals ? 1.0 : of_what_rests) * heaviest * std::pow(run.length / run.time, 2);
 }
 
 /// The bodies that are there in every change, in the order of the original.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <thread>
@@ -88,6 +89,17 @@ void print_faults(const std::vector<Verdict>& verdicts, const Request& request) 
   }
 }
 
+void print_slowest(std::vector<Verdict> verdicts) {
+  std::ranges::sort(verdicts, std::greater(), &Verdict::seconds);
+  double total = 0.0;
+  for (const Verdict& v : verdicts) total += v.seconds;
+  fmt::print("\n{:.1f} s together; slowest:", total);
+  for (std::size_t i = 0; i < std::min<std::size_t>(verdicts.size(), 8); ++i)
+    fmt::print(" {} ({}, {}, {:.2f} s)", verdicts[i].seed, generate(verdicts[i].seed).family,
+               verdicts[i].outcome, verdicts[i].seconds);
+  fmt::print("\n");
+}
+
 /// Quantiles of what was found over what is allowed.
 void print_measures(const std::vector<Verdict>& verdicts) {
   std::map<std::string, std::vector<double>> all;
@@ -127,6 +139,9 @@ int main(int argc, char** argv) {
   const std::vector<Verdict> verdicts = check_all(request);
   print_outcomes(verdicts);
   print_faults(verdicts, request);
-  if (request.measures) print_measures(verdicts);
+  if (request.measures) {
+    print_measures(verdicts);
+    print_slowest(verdicts);
+  }
   return std::ranges::all_of(verdicts, [](const Verdict& v) { return v.faults.empty(); }) ? 0 : 1;
 }
