@@ -138,12 +138,12 @@ class Judge {
     judge_crossings(check, c, r);
     if (check != "bystanders")
       within(check, "energy", r.balance.cwiseAbs().maxCoeff(),
-             (allowance(r) + fold(r)) * r.energy_scale);
+             (std::max(allowance(r), 10.0 * rounding) + fold(r)) * r.energy_scale);
     within(check, "violation", r.position_violation, rounding);
     within(check, "violation of rates", r.velocity_violation, 100.0 * rounding);
     const Summary& s = r.summary;
     within(check, "drift", s.position_drift / s.length_scale,
-           std::max(drift * rtol, 10.0 * rounding) + fold(r));
+           std::max(drift * rtol, 100.0 * rounding) + fold(r));
     return verdict_.faults.size() == before;
   }
 

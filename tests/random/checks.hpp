@@ -10,8 +10,9 @@
 //   crossing    a singular position is reported where the constraints are independent
 //   energy      |ledger| > 3 N rtol E; kinetic and potential energies are computed here. N steps, E
 //               the energy that an error of one weight unit in every position and rate makes
+//               (at least 1e-10 E)
 //   violation   results are off the constraints by more than rounding; drift: by more than 300 rtol
-//               before projection
+//               (at least 1e-9) before projection
 //   differs     from the first run, by more than 3 (N + N') rtol A(t)
 //   steps       a changed description takes more than four times the steps
 //   none        no equilibrium although the potential energy is bounded below; unrest: bodies
