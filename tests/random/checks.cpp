@@ -20,6 +20,7 @@ namespace yoke::tests::random {
 namespace {
 
 constexpr double tolerance = 1e-9, tolerance_of_low_order = 1e-7;
+constexpr const char* first_formulation = "arkode-projection";
 constexpr double tightest = 1e-13;         // that simulate accepts
 constexpr double margin = 3.0;             // of bounds; see checks.hpp
 constexpr long steps_of_low_order = 1000;  // its steps err by less than the tolerance
@@ -42,14 +43,8 @@ class Judge {
     const bool good = run_first();
     if (!good || only_.starts_with("run ")) return verdict_;
     measure_growth();
-    const FormulationNote other = other_formulation();
-    const std::string name(other.name);
-    if (wanted(name)) {
-      const double rtol = other.order < 4 ? tolerance_of_low_order : tolerance;
-      const RunOptions options{
-          .formulation = name, .tolerance = rtol, .most_steps = 2 * most_steps};
-      compare(name, unchanged(d_), options);
-    }
+    const std::string other = other_formulation();
+    if (wanted(other)) compare(other, unchanged(d_), options(other, 2 * most_steps));
     if (wanted("tight") && d_.seed / 10 % 4 == 0) compare_tight();
     for (const Change change : all_changes())
       if (wanted(name_of(change))) compare_change(name_of(change), changed(d_, change));
@@ -73,13 +68,13 @@ class Judge {
     compare(name, other, {.tolerance = tolerance, .most_steps = 4 * first_.summary.steps + 1000});
   }
 
-  /// At the tightest tolerance accepted, explicit or implicit: it must be reached.
+  RunOptions options(const std::string& check, long steps) const {
+    const Method method = method_of(d_, check);
+    return {.formulation = method.formulation, .tolerance = method.tolerance, .most_steps = steps};
+  }
+  /// The tightest tolerance accepted must be reached.
   void compare_tight() {
-    const bool implicit = d_.seed / 40 % 2 == 1;
-    compare("tight", unchanged(d_),
-            {.formulation = implicit ? "ida-ggl" : "arkode-projection",
-             .tolerance = tightest,
-             .most_steps = 50 * first_.summary.steps + 50000});
+    compare("tight", unchanged(d_), options("tight", 50 * first_.summary.steps + 50000));
   }
 
   bool wanted(const std::string& check) const {
@@ -98,10 +93,10 @@ class Judge {
     return false;
   }
 
-  FormulationNote other_formulation() const {
-    std::vector<FormulationNote> others;
+  std::string other_formulation() const {
+    std::vector<std::string> others;
     for (const FormulationNote& f : formulations())
-      if (f.name != "arkode-projection") others.push_back(f);
+      if (f.name != first_formulation) others.emplace_back(f.name);
     return others[d_.seed / 10 % others.size()];
   }
 
@@ -289,6 +284,13 @@ class Judge {
 };
 
 }  // namespace
+
+Method method_of(const Description& d, const std::string& check) {
+  if (check == "tight") return {d.seed / 40 % 2 == 1 ? "ida-ggl" : first_formulation, tightest};
+  for (const FormulationNote& f : formulations())
+    if (f.name == check) return {check, f.order < 4 ? tolerance_of_low_order : tolerance};
+  return {first_formulation, tolerance};
+}
 
 Verdict compare_changed(const Description& d, const std::string& name, const Changed& other) {
   return Judge(d, name + " differs").verdict_on(name, other);

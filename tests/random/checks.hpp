@@ -45,6 +45,13 @@
 
 namespace yoke::tests::random {
 
+/// How the mechanism is run for a check: "run", "tight", the name of a formulation, of a change.
+struct Method {
+  std::string formulation;
+  double tolerance = 1e-9;
+};
+Method method_of(const Description& d, const std::string& check);
+
 struct Fault {
   std::string kind;    // "run failed", "turn differs", "ida-ggl energy", ...
   std::string detail;  // one sentence
