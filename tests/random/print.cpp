@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <yoke/tests/random/changes.hpp>
+#include <yoke/tests/random/checks.hpp>
 #include <yoke/tests/random/held.hpp>
 
 namespace yoke::tests::random {
@@ -165,10 +166,11 @@ std::string as_code(const Description& d, const std::string& kind) {
            "const Equilibrium e = equilibrium(m, {.allow_neutral = true});\n";
   }
   std::string text = Printer(d).text();
+  const Method method = method_of(d, kind.substr(0, kind.find(' ')));
   text += fmt::format(
-      "const Result r = simulate(m, {{.until = {}, .relative_tolerance = 1e-9, .formulation = "
-      "\"arkode-projection\", .samples = 33}});  // {}\n",
-      d.duration, kind);
+      "const Result r = simulate(m, {{.until = {}, .relative_tolerance = {}, .formulation = "
+      "\"{}\", .samples = 33}});  // {}\n",
+      d.duration, method.tolerance, method.formulation, kind);
   for (const Change change : all_changes())
     if (kind.starts_with(name_of(change) + " ") && change != Change::bystanders) {
       const Changed c = changed(d, change);

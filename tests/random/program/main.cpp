@@ -73,7 +73,7 @@ void print_faults(const std::vector<Verdict>& verdicts, const Request& request) 
   }
   if (request.quiet) return;
   for (const auto& [kind, cases] : kinds) {
-    if (!request.kind.empty() && kind != request.kind) continue;
+    if (!kind.starts_with(request.kind.substr(0, request.kind.find(' ')))) continue;
     fmt::print("\n## {}\n\n", kind);
     for (std::size_t i = 0;
          i < std::min<std::size_t>(cases.size(), static_cast<std::size_t>(request.examples)); ++i) {
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   app.add_option("--count", request.count, "how many seeds");
   app.add_option("--jobs", request.jobs, "threads")->check(CLI::Range(1, 1024));
   app.add_option("--kind", request.kind,
-                 "only checks that find faults of this kind, as 'turn differs'");
+                 "only checks that find faults of this kind, as 'turn differs' or 'turn '");
   app.add_option("--family", request.family, "only mechanisms of this family")
       ->check(CLI::IsMember(families()));
   app.add_option("--examples", request.examples, "printed of each kind");
