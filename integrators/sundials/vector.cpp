@@ -98,7 +98,8 @@ sunrealtype largest_group(N_Vector x_vector, N_Vector w_vector) {
   const double* x = NV_DATA_S(x_vector);
   const double* w = NV_DATA_S(w_vector);
   ErrorGroups& groups = *groups_of(w_vector);
-  // Of the six of a body: a ball that falls moves in one, so the mean of all would be too mild.
+  // Of the six of a body: a ball that falls moves in one, so the mean of all would be too mild for
+  // the worst of many. Bodies that count together are averaged over all six.
   constexpr double coordinates = 4.0;
   const int n = groups.dofs, size = static_cast<int>(NV_LENGTH_S(x_vector));
   const auto square = [=](int i) {
@@ -118,7 +119,8 @@ sunrealtype largest_group(N_Vector x_vector, N_Vector w_vector) {
           body;
   }
   for (std::size_t i = 0; i < groups.sum.size(); ++i)
-    if (groups.count[i] > 0.0) largest = std::max(largest, groups.sum[i] / groups.count[i]);
+    if (groups.count[i] > 0.0)
+      largest = std::max(largest, coordinates / 6.0 * groups.sum[i] / groups.count[i]);
   for (int i = size - groups.energies; i < size; ++i) {
     largest = std::max(largest, square(i));
     sum += square(i);

@@ -60,7 +60,9 @@ TEST_CASE("100 revolutions with projection stay on the constraints at any tolera
       // grow is the rounding of the crank's angle, to which positions are projected.
       const Summary start = turn(model, "arkode-projection", rtol, 10);
       CHECK(s.position_drift < 5.0 * start.position_drift + rounding);
-      CHECK(s.velocity_drift < 5.0 * start.velocity_drift);
+      // A rounded angle turns the velocity of the pin by as much.
+      const double pin_speed = scotch_yoke_data::speed * 0.045;  // [m/s]
+      CHECK(s.velocity_drift < 5.0 * start.velocity_drift + rounding * pin_speed);
     }
   }
 }
