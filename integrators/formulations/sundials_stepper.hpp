@@ -28,7 +28,7 @@ class SundialsStepper : public Formulation {
   std::string failure() const override { return failure_.text; }
 
  protected:
-  static constexpr RoundingFloor::Noise one_step{.own = 8.0}, multistep{.own = 16.0};
+  static constexpr RoundingFloor::Noise one_step{.own = 8.0}, multistep{.own = 128.0};
 
   /// Energies begin at y[energies]; for `noise` see RoundingFloor.
   SundialsStepper(Dynamics& dynamics, const Tolerances& tolerances, int energies,
