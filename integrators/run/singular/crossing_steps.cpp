@@ -34,8 +34,8 @@ Step SingularCrossing::cross(double t_stop) {
   return step;
 }
 
-// What a step, or the whole crossing, may change in the energy balance: more is reported. 0.01 of
-// the kinetic energy of the error weights is what tolerances.energy allows a step of a formulation.
+// [J] What a step, or the whole crossing, may change in the energy balance; more is not accepted where
+// the rank does not fall, and is reported where it does.
 double SingularCrossing::allowed_energy_change(double energy) const {
   return energy_share * tolerances_.relative * (kinetic_entry_ + std::abs(energy)) +
          1e2 * tolerances_.energy;
