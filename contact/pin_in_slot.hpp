@@ -1,31 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// A round pin of one body in the slot of another, with clearance. With P the pin's centre, s = P -
-// r_a and w = P - r_b the arms, n the normal towards the wall and t = perp(n) in global axes, bend
-// the curvature of the distance to the centreline (slot.hpp), over (r_a, angle_a, r_b, angle_b):
+// A round pin of one body in the slot of another, with clearance. With D the distance of the pin's
+// centre from the centreline (contact/geometry/slot.hpp)
 //   d = D - (half_width - pin radius)
-//   g = [n, n.perp(s), -n, -n.perp(w)]      tau = the same with t for n
-//   H = bend tau^T tau, and in addition
-//       H[angle_a, angle_a] -= n.s      H[angle_b, angle_b] -= n.w      H[angle_a, angle_b] += n.s
-//       H[r_a, angle_b] += perp(n)      H[r_b, angle_b] -= perp(n)
+// and its derivatives as in core/curves/relative_point.hpp.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include <yoke/contact/geometry/slot.hpp>
 #include <yoke/contact/laws/law.hpp>
-#include <yoke/core/force.hpp>
+#include <yoke/core/model.hpp>
 
 namespace yoke {
 
-/// One law for each region of a slot; a single law serves for all.
+/// One law for each wall of a slot; a single law serves for all. `inner` also serves for the left
+/// wall of a curve_slot, which is the inner one of an arc that turns left, `outer` for the right one,
+/// `cap` for ends, corners and edges.
+///
+/// Or a function of the wall, asked once for each: laws that take radii follow the local ones,
+///   [](const SlotWall& w) { return ContactLaw{johnson(pair_of(pin_radius, w.curvature), 10.0_mm)}; }
+/// Only for walls of constant curvature: lines, arcs, caps, corners. The energy stored jumps where
+/// a contact passes from one law to another; the ledger counts the jump as dissipation.
+struct SlotWall {
+  SlotRegion region = SlotRegion::wall;
+  double curvature = 0.0;  // [1/m] > 0 convex, < 0 concave, infinite at a sharp edge
+};
+
 struct SlotLaws {
   SlotLaws(ContactLaw all) : inner(all), outer(all), cap(std::move(all)) {}
   SlotLaws(ContactLaw at_inner, ContactLaw at_outer, ContactLaw at_cap)
       : inner(std::move(at_inner)), outer(std::move(at_outer)), cap(std::move(at_cap)) {}
-  ContactLaw inner, outer, cap;
+  template <class F>
+  requires std::is_invocable_r_v<ContactLaw, const F&, const SlotWall&> SlotLaws(F of_wall)
+      : each(std::move(of_wall)) {}
+
+  std::optional<ContactLaw> inner, outer, cap;      // all or none of them
+  std::function<ContactLaw(const SlotWall&)> each;  // none or all
 };
 
 struct Pin {
@@ -49,7 +66,10 @@ struct PinInSlot {
   SlotLaws law;
   double reference_force = 100.0;  // [N] a light load; its penetration sets the error weights
 
+  /// The contact with the walls that follow one another.
   std::unique_ptr<ForceElement> build(const Model& model) const;
+  /// With the flat ends of the slot, if it has any, each a contact of its own.
+  Elements elements(const Model& model) const;
 };
 
 }  // namespace yoke

@@ -132,6 +132,11 @@ void Model::require_free(std::string_view what, const std::string& name) const {
                   what, body ? "body" : "joint or force"));
 }
 
+void Model::insert(Elements elements) {
+  for (auto& constraint : elements.constraints) insert(std::move(constraint));
+  for (auto& force : elements.forces) insert(std::move(force));
+}
+
 void Model::insert(std::unique_ptr<Constraint> constraint) {
   if (std::ranges::all_of(constraint->bodies(), [](BodyId id) { return id == ground; }))
     throw ModelError(

@@ -20,14 +20,24 @@
 
 namespace yoke {
 
+/// What a description with more than one element makes, in the order in which they are added.
+struct Elements {
+  std::vector<std::unique_ptr<Constraint>> constraints{};
+  std::vector<std::unique_ptr<ForceElement>> forces{};
+};
+
 /// Something Model::add accepts: a description with build(model) giving a constraint or a force
-/// element. Every joint and force of the library is one; so is a user's own.
+/// element, or with elements(model) giving any number of both. Every joint and force of the library
+/// is one; so is a user's own.
 template <class D>
 concept ElementDescription = requires(const D& d, const Model& m) {
   { d.build(m) } -> std::convertible_to<std::unique_ptr<Constraint>>;
 }
 || requires(const D& d, const Model& m) {
   { d.build(m) } -> std::convertible_to<std::unique_ptr<ForceElement>>;
+}
+|| requires(const D& d, const Model& m) {
+  { d.elements(m) } -> std::convertible_to<Elements>;
 };
 
 class Model {
@@ -43,8 +53,12 @@ class Model {
   /// and messages use the names), an unknown body, a body given twice.
   template <ElementDescription D>
   void add(const D& description) {
-    insert(description.build(*this));
+    if constexpr (requires { description.elements(*this); })
+      insert(description.elements(*this));
+    else
+      insert(description.build(*this));
   }
+  void insert(Elements elements);
   void insert(std::unique_ptr<Constraint> constraint);
   void insert(std::unique_ptr<ForceElement> force);
 

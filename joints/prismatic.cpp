@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/prismatic.hpp>
 
+#include <utility>
+
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/projection.hpp>
 
@@ -77,6 +79,19 @@ std::unique_ptr<Constraint> Prismatic::build(const Model& model) const {
                                                         .s_b = model.to_local(b, point),
                                                         .offset = n.dot(point - pose_a.position),
                                                         .difference = pose_b.angle - pose_a.angle});
+}
+
+Elements Prismatic::elements(const Model& model) const {
+  Elements made;
+  std::unique_ptr<Constraint> ideal = build(model);  // its checks hold for both
+  if (clearance)
+    return clearance->elements(model, {.name = name,
+                                       .a = a,
+                                       .b = b,
+                                       .at = at.value_or(model.body(b).pose.position),
+                                       .along = along.normalized()});
+  made.constraints.push_back(std::move(ideal));
+  return made;
 }
 
 }  // namespace yoke

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include <yoke/core/clearance.hpp>
 #include <yoke/core/model.hpp>
 
 namespace yoke {
@@ -28,7 +29,14 @@ struct Prismatic {
   /// is taken changes how the reaction is split, not the motion.
   std::optional<Vec2> at{};
 
+  /// Contacts in place of the constraint: GuideClearance (contact/clearance.hpp), the guide in a and
+  /// the block on b with its middle at `at`.
+  std::optional<Clearance> clearance{};
+
+  /// The constraint, whether or not there is clearance.
   std::unique_ptr<Constraint> build(const Model& model) const;
+  /// The constraint, or what takes its place. Throws ModelError.
+  Elements elements(const Model& model) const;
 };
 
 }  // namespace yoke

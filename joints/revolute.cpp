@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/revolute.hpp>
 
+#include <utility>
+
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/point_pair.hpp>
 
@@ -42,6 +44,14 @@ std::unique_ptr<Constraint> Revolute::build(const Model& model) const {
   require_different_bodies(owner, model, {{"a", a}, {"b", b}});
   require_finite_vector(owner, "at", at);
   return std::make_unique<RevoluteConstraint>(*this, model.to_local(a, at), model.to_local(b, at));
+}
+
+Elements Revolute::elements(const Model& model) const {
+  Elements made;
+  std::unique_ptr<Constraint> ideal = build(model);  // its checks hold for both
+  if (clearance) return clearance->elements(model, {.name = name, .a = a, .b = b, .at = at});
+  made.constraints.push_back(std::move(ideal));
+  return made;
 }
 
 }  // namespace yoke

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include <yoke/core/clearance.hpp>
 #include <yoke/core/model.hpp>
 
 namespace yoke {
@@ -20,7 +22,14 @@ struct Revolute {
   BodyId b;
   Vec2 at{0.0, 0.0};  // [m] the pin, global, in the start pose
 
+  /// Contacts in place of the constraint: BearingClearance (contact/clearance.hpp), the bearing in a
+  /// and the journal on b.
+  std::optional<Clearance> clearance{};
+
+  /// The constraint, whether or not there is clearance.
   std::unique_ptr<Constraint> build(const Model& model) const;
+  /// The constraint, or what takes its place. Throws ModelError.
+  Elements elements(const Model& model) const;
 };
 
 }  // namespace yoke

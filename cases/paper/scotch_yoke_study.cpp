@@ -450,7 +450,7 @@ void print_one_wall(Study& s) {
     };
     const SlotLaws laws = scotch_yoke_laws(s.choices, own.law);
     const double ratio =
-        laws.inner.elastic.response(20e-6).force / laws.outer.elastic.response(20e-6).force;
+        laws.inner->elastic.response(20e-6).force / laws.outer->elastic.response(20e-6).force;
     const double before = own.force.maxCoeff(), after = shared.force.maxCoeff();
     const int n = separations(own.flights, 0, 360).count,
               m = separations(shared.flights, 0, 360).count;

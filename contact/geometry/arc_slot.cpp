@@ -30,6 +30,12 @@ class ArcProfile {
     return {SlotRegion::inner, SlotRegion::outer, SlotRegion::cap_start, SlotRegion::cap_end};
   }
 
+  std::vector<CurvatureRange> curvatures() const {
+    const double in = 1.0 / (radius_ - half_width_), out = -1.0 / (radius_ + half_width_),
+                 cap = -1.0 / half_width_;
+    return {{in, in}, {out, out}, {cap, cap}, {cap, cap}};
+  }
+
   Touch touch(int region, const Vec2& p) const {
     if (region == cap_start) return touch_cap(cap_start, p - radius_ * start_, -perp(start_));
     if (region == cap_end) return touch_cap(cap_end, p - radius_ * end_, perp(end_));

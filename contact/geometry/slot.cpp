@@ -26,6 +26,20 @@ std::string_view region_name(SlotRegion region) {
     case SlotRegion::cap_start:
     case SlotRegion::cap_end:
       break;
+    case SlotRegion::left:
+      return "left";
+    case SlotRegion::right:
+      return "right";
+    case SlotRegion::edge:
+      return "edge";
+    case SlotRegion::corner:
+      return "corner";
+    case SlotRegion::start:
+      return "start";
+    case SlotRegion::end:
+      return "end";
+    case SlotRegion::wall:
+      return "wall";
   }
   return "cap";
 }
@@ -36,11 +50,15 @@ Slot& Slot::operator=(const Slot&) = default;
 Slot& Slot::operator=(Slot&&) noexcept = default;
 Slot::~Slot() = default;
 
-void Slot::check(std::string_view owner, double pin_radius) const {
+void Slot::check_shape(std::string_view owner) const {
   require_finite(owner, "origin x", origin_.x());
   require_finite(owner, "origin y", origin_.y());
   require_finite(owner, "angle", angle_);
   profile_->check(owner);
+}
+
+void Slot::check(std::string_view owner, double pin_radius) const {
+  check_shape(owner);
   require_positive(owner, "pin radius", pin_radius, "m");
   const std::string width = millimetres(2.0 * half_width()), pin = millimetres(2.0 * pin_radius);
   if (half_width() < pin_radius)

@@ -4,10 +4,12 @@
 // The shape of a slot: a centreline, a half-width and two end caps. A pin of radius r_p whose
 // centre p is at distance D from the centreline penetrates the wall by
 //   d = D - (h - r_p),   h half-width [m].
-// A new shape is one new file with a profile (see SlotProfile); arc_slot.hpp is the first.
+// A new shape is one new file with a profile (see SlotProfile). A wall is a profile too, with h = 0.
+// Circular slots: arc_slot.hpp; slots along any curve: curve_slot.hpp.
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -17,10 +19,25 @@
 
 namespace yoke {
 
-/// What a pin can touch. `inner` is the wall on the side of the centre of curvature.
-enum class SlotRegion { inner, outer, cap_start, cap_end };
+/// What a disc can touch. `inner` is the wall on the side of the centre of curvature; `left` and
+/// `right` are seen along the centreline; `edge` is a convex edge, as at an open end; `corner` the
+/// round outside of a corner of the centreline; `start` and `end` flat
+/// ends; `wall` anything but a slot.
+enum class SlotRegion {
+  inner,
+  outer,
+  cap_start,
+  cap_end,
+  left,
+  right,
+  edge,
+  corner,
+  start,
+  end,
+  wall
+};
 
-/// As written to results: "inner", "outer", "cap".
+/// As written to results: its name; "cap" for both caps.
 std::string_view region_name(SlotRegion region);
 
 /// Where the pin's centre is relative to one region.
@@ -33,9 +50,15 @@ struct Touch {
   double wall_curvature = 0.0;
 };
 
+/// [1/m] Least and greatest curvature of a wall, sign as in Touch.
+struct CurvatureRange {
+  double low = 0.0, high = 0.0;
+};
+
 /// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
 /// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
-/// its gradient agree.
+/// its gradient agree. Optional: std::vector<CurvatureRange> curvatures() const, one for each region,
+/// for laws that follow the curvature of the wall.
 template <class P>
 concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
                                std::string_view owner) {
@@ -77,12 +100,19 @@ class Slot {
   // The profile's functions; p is in the profile's frame [m].
   double half_width() const { return profile_->half_width(); }
   std::vector<SlotRegion> regions() const { return profile_->regions(); }
+  std::vector<CurvatureRange> curvatures() const { return profile_->curvatures(); }
   Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
   int nearest(const Vec2& p) const { return profile_->nearest(p); }
   double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
   int successor(int region, const Vec2& p) const { return profile_->successor(region, p); }
 
-  /// Throws ModelError if a dimension is wrong or a pin of this radius [m] has no room.
+  /// Walls of the same slot that the pin may touch at the same time, each a contact of its own.
+  const std::vector<Slot>& others() const { return others_; }
+  void add(Slot other) { others_.push_back(std::move(other)); }
+
+  /// Throws ModelError if a dimension is wrong.
+  void check_shape(std::string_view owner) const;
+  /// Also if a pin of this radius [m] has no room.
   void check(std::string_view owner, double pin_radius) const;
 
  private:
@@ -90,6 +120,7 @@ class Slot {
     virtual ~Profile() = default;
     virtual double half_width() const = 0;
     virtual std::vector<SlotRegion> regions() const = 0;
+    virtual std::vector<CurvatureRange> curvatures() const = 0;
     virtual Touch touch(int region, const Vec2& p) const = 0;
     virtual int nearest(const Vec2& p) const = 0;
     virtual double boundary(int region, const Vec2& p) const = 0;
@@ -102,6 +133,11 @@ class Slot {
     explicit Holder(P given) : profile(std::move(given)) {}
     double half_width() const override { return profile.half_width(); }
     std::vector<SlotRegion> regions() const override { return profile.regions(); }
+    std::vector<CurvatureRange> curvatures() const override {
+      if constexpr (requires { profile.curvatures(); }) return profile.curvatures();
+      const double unknown = std::numeric_limits<double>::infinity();
+      return std::vector<CurvatureRange>(profile.regions().size(), {-unknown, unknown});
+    }
     Touch touch(int region, const Vec2& p) const override { return profile.touch(region, p); }
     int nearest(const Vec2& p) const override { return profile.nearest(p); }
     double boundary(int region, const Vec2& p) const override {
@@ -113,6 +149,7 @@ class Slot {
   };
 
   std::shared_ptr<const Profile> profile_;
+  std::vector<Slot> others_;
   Vec2 origin_;
   double angle_ = 0.0;
 };

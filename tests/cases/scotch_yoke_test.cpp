@@ -133,8 +133,8 @@ TEST_SUITE("scotch-yoke") {
     const ScotchYoke choices = choices_with({"walls=one"});
     const SlotLaws laws = scotch_yoke_laws(choices, "table11-lankarani-nikravesh");
     const double d = 33.0_um;
-    CHECK(laws.inner.elastic.response(d).force == laws.outer.elastic.response(d).force);
-    CHECK(laws.cap.elastic.response(d).force > 2.0 * laws.outer.elastic.response(d).force);
+    CHECK(laws.inner->elastic.response(d).force == laws.outer->elastic.response(d).force);
+    CHECK(laws.cap->elastic.response(d).force > 2.0 * laws.outer->elastic.response(d).force);
   }
 
   // The slider stays within the gap and the penetration: at the closed form's slope of the arc, the

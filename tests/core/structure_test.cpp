@@ -30,7 +30,7 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // first room of core and integrators is their surface: its headers are seen by all rooms, its
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
-    {"core", {"core", "core/equations", "core/authoring"}},
+    {"core", {"core", "core/equations", "core/authoring", "core/curves/pieces", "core/curves"}},
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
@@ -47,7 +47,9 @@ constexpr std::size_t largest_room = 24;  // headers and sources: a list that is
 
 // Inner headers serve one room alone and may see what it publishes.
 const std::map<std::string, std::string> inner_rooms = {
-    {"integrators/analyses/details", "integrators/analyses"}, {"contact/details", "contact"}};
+    {"integrators/analyses/details", "integrators/analyses"},
+    {"contact/details", "contact"},
+    {"core/curves/pieces", "core/curves"}};
 
 std::string room_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
 

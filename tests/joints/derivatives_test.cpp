@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include <yoke/core/curves/lines_and_arcs.hpp>
+#include <yoke/core/curves/smooth_curves.hpp>
 #include <yoke/joints/distance.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/drivers/displacement_driver.hpp>
@@ -16,6 +18,7 @@
 #include <yoke/joints/forces/torsional_spring.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/gear.hpp>
+#include <yoke/joints/point_on_curve.hpp>
 #include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
@@ -80,6 +83,48 @@ TEST_CASE("derivatives of the joints of two bodies agree with differences") {
     check(t, Gear{.name = "belt", .a = a, .b = b, .carrier = t.c, .ratio = 1.0});
   }
   check(t, Gear{.name = "fixed axes", .a = t.a, .b = t.b, .ratio = 0.4});
+}
+
+TEST_CASE("derivatives of a point on any curve agree with differences") {
+  const Trio t = ugly_trio();
+  std::vector<Vec2> ring;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 2.0 * pi * i / 24.0, size = 1.5 + 0.2 * std::cos(3.0 * a);
+    ring.emplace_back(size * std::cos(a), size * std::sin(a));
+  }
+  const std::pair<BodyId, BodyId> pairs[] = {{t.a, t.b}, {ground, t.b}, {t.a, ground}};
+  for (const auto& [a, b] : pairs) {
+    const PointOnCurve on{.name = "track", .a = a, .at = p, .b = b, .curve = circle(r, 0.7)};
+    check(t, on);
+    PointOnCurve other = on;
+    other.curve = straight_line(r, {3.0, 4.0});
+    check(t, other);
+    other.curve = curve_through(ring, {.closed = true});
+    check(t, other, 1e-6);
+    other.curve = polyline({{-2.0, -1.0}, {0.5, 0.1}, {2.0, 2.5}}, {.fillet = 0.5});
+    check(t, other);
+  }
+}
+
+TEST_CASE("a point on a line as a curve is the point on a line") {
+  const Trio t = ugly_trio();
+  const HandMotion motion(t);
+  const auto curve =
+      PointOnCurve{
+          .name = "curve", .a = t.a, .at = p, .b = t.b, .curve = straight_line(r, {3.0, 4.0})}
+          .build(t.model);
+  const auto line =
+      PointOnLine{.name = "line", .a = t.a, .at = p, .b = t.b, .through = r, .along = {3.0, 4.0}}
+          .build(t.model);
+  const Blocks first = evaluate(*curve, motion.at(), {1.7}),
+               second = evaluate(*line, motion.at(), {1.7});
+  CHECK(first.phi[0] == doctest::Approx(second.phi[0]).epsilon(1e-13));
+  CHECK(first.gamma[0] == doctest::Approx(second.gamma[0]).epsilon(1e-12));
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(std::abs(first.G[i] - second.G[i]) < 1e-14);
+    CHECK(std::abs(first.H[i] - second.H[i]) < 1e-13);
+  }
+  for (std::size_t i = 0; i < 36; ++i) CHECK(std::abs(first.K[i] - second.K[i]) < 1e-13);
 }
 
 TEST_CASE("a point at the centre of a body has no entry for its angle in the pattern") {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/contact/details/disc_geometry.hpp>
+
+#include <utility>
+
+namespace yoke {
+
+DiscGeometry::DiscGeometry(const Model& model, BodyId a, const Vec2& center, double radius,
+                           BodyId b, Slot slot, double surface_speed)
+    : center_(model, a, center, b, slot.origin(), slot.angle()),
+      slot_(std::move(slot)),
+      clearance_(slot_.half_width() - radius),
+      surface_speed_(surface_speed) {}
+
+std::vector<std::string> DiscGeometry::region_names() const {
+  std::vector<std::string> names;
+  for (const SlotRegion region : slot_.regions()) names.emplace_back(region_name(region));
+  return names;
+}
+
+int DiscGeometry::nearest(const Motion& motion) const {
+  return slot_.nearest(center_.local(motion));
+}
+
+double DiscGeometry::penetration(const Motion& motion, int region) const {
+  return slot_.touch(region, center_.local(motion)).distance - clearance_;
+}
+
+void DiscGeometry::calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                                   ContactKinematics& out) const {
+  const RelativePoint::Place place = center_.place(motion);
+  const Touch touch = slot_.touch(region, center_.local(motion, place));
+  const Vec2 n = center_.to_global(motion, touch.normal);
+  out.penetration = touch.distance - clearance_;
+  out.gradient = RelativePoint::gradient(n, place);
+  if (want_hessian) RelativePoint::calc_hessian(touch.bend, n, place, out.hessian);
+}
+
+ContactPlace DiscGeometry::calc_place(const Motion& motion, int region) const {
+  const RelativePoint::Place place = center_.place(motion);
+  const Touch touch = slot_.touch(region, center_.local(motion, place));
+  const Vec2 n = center_.to_global(motion, touch.normal);
+  const BodyMotion &a = motion[center_.a()], &b = motion[center_.b()];
+  const Vec2 to_wall = (slot_.half_width() - touch.distance) * n;  // from the disc's centre
+  const Vec2 slip = (a.velocity() + a.omega * perp(place.s + to_wall)) -
+                    (b.velocity() + b.omega * perp(place.w + to_wall));
+  return {a.position() + place.s + to_wall, perp(n).dot(slip) - surface_speed_,
+          touch.wall_curvature};
+}
+
+double DiscGeometry::boundary(const Motion& motion, int region) const {
+  return slot_.boundary(region, center_.local(motion));
+}
+
+int DiscGeometry::successor(const Motion& motion, int region) const {
+  return slot_.successor(region, center_.local(motion));
+}
+
+}  // namespace yoke

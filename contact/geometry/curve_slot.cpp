@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/contact/geometry/curve_slot.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <yoke/core/error.hpp>
+
+namespace yoke {
+
+namespace {
+
+constexpr int none = -1;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int most_samples = 400;   // of a wall, where it is checked
+constexpr double closeness = 1e-6;  // share of the half-width by which walls may seem to meet
+
+/// One wall along one piece of the centreline.
+struct SideWall {
+  std::size_t piece = 0;
+  double sign = 1.0;                // 1 on the left, -1 on the right
+  double low = 0.0, high = 0.0;     // u where the wall begins and ends
+  int before = none, after = none;  // the regions there
+};
+
+/// A wall about a point: concave like a cap, or a convex edge.
+struct RoundWall {
+  SlotRegion kind = SlotRegion::cap_start;
+  Vec2 center{0.0, 0.0};                    // [m]
+  double edge_radius = 0.0;                 // [m] of an edge
+  Vec2 t_begin{0.0, 0.0}, t_end{0.0, 0.0};  // the region is where these, 0: unbounded,
+  int before = none, after = none;          // are passed and not yet passed
+};
+
+class CurveSlotProfile {
+ public:
+  explicit CurveSlotProfile(CurveSlot slot) : slot_(std::move(slot)), curve_(slot_.centreline) {
+    if (!(std::isfinite(slot_.half_width) && slot_.half_width > 0.0)) return;  // check() says so
+    make_sides();
+    if (!curve_.closed()) {
+      make_end(false);
+      make_end(true);
+    }
+    for (const CurveCorner& corner : corners_of(curve_)) make_corner(corner);
+  }
+
+  double half_width() const { return slot_.half_width; }
+
+  std::vector<SlotRegion> regions() const {
+    std::vector<SlotRegion> kinds;
+    for (const SideWall& side : sides_)
+      kinds.push_back(side.sign > 0.0 ? SlotRegion::left : SlotRegion::right);
+    for (const RoundWall& round : rounds_) kinds.push_back(round.kind);
+    return kinds;
+  }
+
+  std::vector<CurvatureRange> curvatures() const {
+    std::vector<CurvatureRange> ranges;
+    for (const SideWall& side : sides_) {
+      const CurvePiece& piece = curve_.piece(side.piece);
+      CurvatureRange range{infinite, -infinite};
+      for (int k = 0; k <= most_samples; ++k) {
+        const double u = side.low + (side.high - side.low) * k / most_samples;
+        const double curvature = curvature_of_wall(side.sign * piece.at(u).curvature);
+        range = {std::min(range.low, curvature), std::max(range.high, curvature)};
+      }
+      ranges.push_back(range);
+    }
+    for (const RoundWall& round : rounds_) {
+      const double curvature = curvature_of_wall(round);
+      ranges.push_back({curvature, curvature});
+    }
+    return ranges;
+  }
+
+  Touch touch(int region, const Vec2& p) const {
+    if (is_side(region)) {
+      const SideWall& side = side_of(region);
+      const CurveOffset offset = curve_.piece(side.piece).offset(p);
+      const double s = side.sign, k = s * offset.curvature;
+      return {region, s * offset.distance, s * offset.normal, s * offset.bend(),
+              curvature_of_wall(k)};
+    }
+    const RoundWall& round = round_of(region);
+    const Vec2 from = p - round.center;
+    const double distance = from.norm();
+    const Vec2 away = distance > 0.0 ? Vec2(from / distance) : Vec2(1.0, 0.0);
+    const double bend = distance > 0.0 ? 1.0 / distance : 0.0;
+    if (round.kind == SlotRegion::edge)
+      return {region, slot_.half_width + round.edge_radius - distance, -away, -bend,
+              curvature_of_wall(round)};
+    return {region, distance, away, bend, curvature_of_wall(round)};
+  }
+
+  int nearest(const Vec2& p) const {
+    const CurvePlace place = curve_.nearest_local(p);
+    const CurvePiece& piece = curve_.piece(place.piece);
+    const CurvePoint at = piece.at(place.u);
+    const Vec2 from = p - at.point;
+    const double side = cross(at.tangent, from);
+    const int wall = side_region(place.piece, side);
+    const bool open = slot_.start == SlotEnd::open || slot_.end == SlotEnd::open;
+    if (open && !curve_.closed() && !inside(place, from)) return nearest_edge(p);
+    // Behind an end or a corner the foot is the end of the piece, and p is not across from it.
+    const SideWall& here = side_of(wall);
+    if (here.before != none && (place.u < here.low || behind(here, p, true))) return here.before;
+    if (here.after != none && (place.u > here.high || behind(here, p, false))) return here.after;
+    return wall;
+  }
+
+  double boundary(int region, const Vec2& p) const {
+    const auto [before, after] = beyond(region, p);
+    return std::max(before, after);
+  }
+
+  int successor(int region, const Vec2& p) const {
+    const auto [before, after] = beyond(region, p);
+    const bool back = before >= after;
+    if (is_side(region)) return back ? side_of(region).before : side_of(region).after;
+    const RoundWall& round = round_of(region);
+    const int next = back ? round.before : round.after;
+    if (round.kind == SlotRegion::edge || round.kind == SlotRegion::corner) return next;
+    // A cap ends at both walls.
+    const SideWall& one = side_of(next);
+    return side_region(one.piece, curve_.piece(one.piece).offset(p).distance);
+  }
+
+  void check(std::string_view owner) const {
+    require_positive(owner, "half_width", slot_.half_width, "m");
+    require_not_negative(owner, "edge_radius", slot_.edge_radius, "m");
+    if (!std::isfinite(curve_.length()))
+      throw ModelError(fmt::format("{}: the centreline must have a finite length", owner));
+    if (short_piece_)
+      throw ModelError(fmt::format(
+          "{}: piece {} of the centreline is too short for its corner; the slot of half_width = "
+          "{:g} m has no wall there",
+          owner, *short_piece_ + 1, slot_.half_width));
+    for (const SideWall& side : sides_) check_wall(owner, side);
+    require_simple(owner, curve_);
+  }
+
+ private:
+  bool is_side(int region) const { return region < static_cast<int>(sides_.size()); }
+  const SideWall& side_of(int region) const { return sides_[static_cast<std::size_t>(region)]; }
+  const RoundWall& round_of(int region) const {
+    return rounds_[static_cast<std::size_t>(region) - sides_.size()];
+  }
+  /// [1/m] `k` of the centreline, > 0 towards this wall.
+  double curvature_of_wall(double k) const { return k / (1.0 - k * slot_.half_width); }
+  double curvature_of_wall(const RoundWall& round) const {
+    if (round.kind != SlotRegion::edge) return -1.0 / slot_.half_width;
+    return round.edge_radius > 0.0 ? 1.0 / round.edge_radius : infinite;
+  }
+  static int side_region(std::size_t piece, double side) {
+    return 2 * static_cast<int>(piece) + (side >= 0.0 ? 0 : 1);
+  }
+
+  void make_sides() {
+    const std::size_t count = curve_.pieces();
+    const bool ring = curve_.closed() && count > 1;
+    for (std::size_t i = 0; i < count; ++i)
+      for (const int right : {0, 1}) {
+        SideWall side{.piece = i, .sign = right == 0 ? 1.0 : -1.0, .high = curve_.piece(i).end()};
+        if (i > 0 || ring) side.before = 2 * static_cast<int>((i + count - 1) % count) + right;
+        if (i + 1 < count || ring) side.after = 2 * static_cast<int>((i + 1) % count) + right;
+        sides_.push_back(side);
+      }
+  }
+
+  int add(const RoundWall& round) {
+    rounds_.push_back(round);
+    return static_cast<int>(sides_.size() + rounds_.size()) - 1;
+  }
+
+  void make_end(bool at_end) {
+    const SlotEnd kind = at_end ? slot_.end : slot_.start;
+    const std::size_t piece = at_end ? curve_.pieces() - 1 : 0;
+    const CurvePiece& last = curve_.piece(piece);
+    const CurvePoint at = last.at(at_end ? last.end() : 0.0);
+    const Vec2 outwards = at_end ? at.tangent : Vec2(-at.tangent);
+    const int left = side_region(piece, 1.0), right = side_region(piece, -1.0);
+    if (kind == SlotEnd::round) {
+      const int cap = add({.kind = at_end ? SlotRegion::cap_end : SlotRegion::cap_start,
+                           .center = at.point,
+                           .t_begin = outwards,
+                           .before = left});
+      link(left, at_end, cap);
+      link(right, at_end, cap);
+    } else if (kind == SlotEnd::open) {
+      const double r = slot_.edge_radius;
+      const double s = at_end ? last.length_to(last.end()) - r : r;
+      const double u = r > 0.0 ? last.at_length(s) : (at_end ? last.end() : 0.0);
+      const CurvePoint mouth = last.at(u);
+      for (const int side : {left, right}) {
+        SideWall& wall = sides_[static_cast<std::size_t>(side)];
+        const Vec2 center = mouth.point + wall.sign * (slot_.half_width + r) * perp(mouth.tangent);
+        (at_end ? wall.high : wall.low) = u;
+        link(side, at_end,
+             add({.kind = SlotRegion::edge,
+                  .center = center,
+                  .edge_radius = r,
+                  .t_begin = at_end ? mouth.tangent : Vec2(-mouth.tangent),
+                  .before = side}));
+      }
+    }
+  }
+
+  void link(int side, bool at_end, int region) {
+    SideWall& wall = sides_[static_cast<std::size_t>(side)];
+    (at_end ? wall.after : wall.before) = region;
+  }
+
+  void make_corner(const CurveCorner& corner) {
+    const std::size_t i = corner.before, j = (i + 1) % curve_.pieces();
+    const CurvePiece &a = curve_.piece(i), &b = curve_.piece(j);
+    const double inside = corner.turn > 0.0 ? 1.0 : -1.0;
+    const int outer_a = side_region(i, -inside), outer_b = side_region(j, -inside);
+    const int inner_a = side_region(i, inside), inner_b = side_region(j, inside);
+    const int rounded = add({.kind = SlotRegion::corner,
+                             .center = b.at(0.0).point,
+                             .t_begin = a.at(a.end()).tangent,
+                             .t_end = b.at(0.0).tangent,
+                             .before = outer_a,
+                             .after = outer_b});
+    link(outer_a, true, rounded);
+    link(outer_b, false, rounded);
+    const auto cut = meeting(a, b, inside * slot_.half_width);
+    if (!cut) {
+      short_piece_ = a.length_to(a.end()) < b.length_to(b.end()) ? i : j;
+      return;
+    }
+    const auto [u_a, u_b] = *cut;
+    const CurvePoint on_a = a.at(u_a);
+    const int edge = add({.kind = SlotRegion::edge,
+                          .center = on_a.point + inside * slot_.half_width * perp(on_a.tangent),
+                          .t_begin = on_a.tangent,
+                          .t_end = b.at(u_b).tangent,
+                          .before = inner_a,
+                          .after = inner_b});
+    sides_[static_cast<std::size_t>(inner_a)].high = u_a;
+    sides_[static_cast<std::size_t>(inner_b)].low = u_b;
+    link(inner_a, true, edge);
+    link(inner_b, false, edge);
+  }
+
+  /// Where the walls at the distance `offset` of two neighbours meet, by Newton's method from where
+  /// straight neighbours would.
+  static std::optional<std::pair<double, double>> meeting(const CurvePiece& a, const CurvePiece& b,
+                                                          double offset) {
+    const CurvePoint end = a.at(a.end()), start = b.at(0.0);
+    const double turn =
+        std::atan2(cross(end.tangent, start.tangent), end.tangent.dot(start.tangent));
+    const double back = std::abs(offset) * std::tan(0.5 * std::abs(turn));
+    double u = a.end() - back / end.speed, w = back / start.speed;
+    for (int i = 0; i < 50; ++i) {
+      const CurvePoint p = a.at(u), q = b.at(w);
+      const Vec2 gap = (q.point + offset * perp(q.tangent)) - (p.point + offset * perp(p.tangent));
+      const Vec2 du = p.speed * (1.0 - offset * p.curvature) * p.tangent;
+      const Vec2 dw = q.speed * (1.0 - offset * q.curvature) * q.tangent;
+      const double det = cross(du, dw);
+      const double step_u = cross(gap, dw) / det, step_w = cross(gap, du) / det;
+      u += step_u, w += step_w;
+      if (!std::isfinite(u) || !std::isfinite(w)) return {};
+      if (std::abs(step_u) * p.speed + std::abs(step_w) * q.speed < 1e-15 * std::abs(offset)) break;
+    }
+    if (!(u > 0.0 && u <= a.end() && w >= 0.0 && w < b.end())) return {};
+    return std::pair{u, w};
+  }
+
+  // ---- where p is ----
+
+  /// [m] how far p is beyond the beginning and the end of a region; -infinity where it has none.
+  std::pair<double, double> beyond(int region, const Vec2& p) const {
+    double before = -infinite, after = -infinite;
+    if (is_side(region)) {
+      const SideWall& side = side_of(region);
+      if (side.before == none && side.after == none) return {-1.0, -1.0};
+      const CurvePiece& piece = curve_.piece(side.piece);
+      const double u = piece.foot(p);
+      if (side.before != none) before = (side.low - u) * piece.at(side.low).speed;
+      if (side.after != none) after = (u - side.high) * piece.at(side.high).speed;
+      return {before, after};
+    }
+    const RoundWall& round = round_of(region);
+    const Vec2 from = p - round.center;
+    if (round.before != none) before = -from.dot(round.t_begin);
+    if (round.after != none) after = from.dot(round.t_end);
+    return {before, after};
+  }
+
+  /// Is p in the range of the round region before, or behind, a side?
+  bool behind(const SideWall& side, const Vec2& p, bool at_start) const {
+    const int region = at_start ? side.before : side.after;
+    return !is_side(region) && boundary(region, p) < 0.0;
+  }
+
+  /// Within the slot, as far as its open ends allow? `from` is p - c at its foot.
+  bool inside(const CurvePlace& place, const Vec2& from) const {
+    if (from.norm() > slot_.half_width) return false;
+    const std::size_t last = curve_.pieces() - 1;
+    const double slack = 1e-9 * slot_.half_width;  // the foot of a point at the mouth
+    const CurvePoint at = curve_.piece(place.piece).at(place.u);
+    const bool past = std::abs(at.tangent.dot(from)) > slack;
+    const bool at_start = place.piece == 0 && place.u <= 0.0 && past;
+    const bool at_end = place.piece == last && place.u >= curve_.piece(last).end() && past;
+    return !(at_start && slot_.start == SlotEnd::open) && !(at_end && slot_.end == SlotEnd::open);
+  }
+
+  int nearest_edge(const Vec2& p) const {
+    int best = none;
+    double least = infinite;
+    for (std::size_t i = 0; i < rounds_.size(); ++i) {
+      const RoundWall& round = rounds_[i];
+      const bool mouth = round.kind == SlotRegion::edge && round.after == none;
+      const double distance = (p - round.center).norm();
+      if (mouth && distance < least) least = distance, best = static_cast<int>(sides_.size() + i);
+    }
+    return best;
+  }
+
+  // ---- what is wrong ----
+
+  void check_wall(std::string_view owner, const SideWall& side) const {
+    const CurvePiece& piece = curve_.piece(side.piece);
+    const double h = slot_.half_width, from = piece.length_to(side.low),
+                 length = piece.length_to(side.high) - from;
+    const char* name = side.sign > 0.0 ? "left" : "right";
+    const int parts = std::clamp(static_cast<int>(4.0 * length / h), 16, most_samples);
+    for (int k = 0; k <= parts; ++k) {
+      const double s = from + length * k / parts;
+      const CurvePoint at = piece.at(piece.at_length(s));
+      const double along = curve_.length_to({side.piece, piece.at_length(s)});
+      if (!(side.sign * at.curvature * h < 1.0))
+        throw ModelError(fmt::format(
+            "{}: the {} wall would have a cusp: {:g} m along the centreline its radius is {:g} m, "
+            "not greater than half_width = {:g} m",
+            owner, name, along, 1.0 / std::abs(at.curvature), h));
+      const Vec2 wall = at.point + side.sign * h * perp(at.tangent);
+      const CurvePlace foot = curve_.nearest_local(wall);
+      const double clear = (curve_.piece(foot.piece).at(foot.u).point - wall).norm();
+      if (clear < (1.0 - closeness) * h)
+        throw ModelError(fmt::format(
+            "{}: walls meet: the {} wall {:g} m along the centreline is only {:g} m from the "
+            "centreline {:g} m along it; half_width = {:g} m",
+            owner, name, along, clear, curve_.length_to(foot), h));
+    }
+  }
+
+  CurveSlot slot_;
+  Curve curve_;
+  std::vector<SideWall> sides_;    // regions 2 i (left) and 2 i + 1 (right) along piece i
+  std::vector<RoundWall> rounds_;  // regions behind them
+  std::optional<std::size_t> short_piece_;
+};
+
+/// The flat end of a slot: a wall across it, as wide as the slot. A pin elsewhere is `away`.
+class FlatEndProfile {
+ public:
+  FlatEndProfile(const CurvePoint& end, bool at_end, double half_width)
+      : point_(end.point),
+        outwards_(at_end ? end.tangent : Vec2(-end.tangent)),
+        half_width_(half_width),
+        at_end_(at_end) {}
+
+  double half_width() const { return half_width_; }
+  std::vector<SlotRegion> regions() const {
+    return {at_end_ ? SlotRegion::end : SlotRegion::start, SlotRegion::wall};
+  }
+  std::vector<CurvatureRange> curvatures() const { return {{0.0, 0.0}, {0.0, 0.0}}; }
+  Touch touch(int region, const Vec2& p) const {
+    const double distance = region == 0 ? outwards_.dot(p - point_) : -half_width_;
+    return {region, distance, outwards_, 0.0, 0.0};
+  }
+  int nearest(const Vec2& p) const {
+    const Vec2 from = p - point_;
+    const bool across = std::abs(cross(outwards_, from)) <= half_width_;
+    return across && outwards_.dot(from) < 2.0 * half_width_ ? 0 : 1;
+  }
+  double boundary(int, const Vec2&) const { return -half_width_; }
+  int successor(int region, const Vec2&) const { return region; }
+  void check(std::string_view owner) const {
+    require_positive(owner, "half_width", half_width_, "m");
+  }
+
+ private:
+  Vec2 point_, outwards_;
+  double half_width_;
+  bool at_end_;
+};
+
+/// At the start or the end of the centreline.
+Slot flat_end(const CurveSlot& slot, bool at_end) {
+  const Curve& c = slot.centreline;
+  const CurvePiece& piece = c.piece(at_end ? c.pieces() - 1 : 0);
+  return Slot(FlatEndProfile(piece.at(at_end ? piece.end() : 0.0), at_end, slot.half_width),
+              c.origin(), 0.0);
+}
+
+}  // namespace
+
+Slot curve_slot(const CurveSlot& slot) {
+  Slot whole(CurveSlotProfile(slot), slot.centreline.origin(), 0.0);
+  if (slot.centreline.closed()) return whole;
+  if (slot.start == SlotEnd::flat) whole.add(flat_end(slot, false));
+  if (slot.end == SlotEnd::flat) whole.add(flat_end(slot, true));
+  return whole;
+}
+
+}  // namespace yoke

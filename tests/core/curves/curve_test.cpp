@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Curves against closed forms: places, feet, distances, lengths; and what is refused.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <yoke/core/curves/absorber_paths.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
+#include <yoke/core/curves/smooth_curves.hpp>
+#include <yoke/core/error.hpp>
+#include <yoke/tests/messages.hpp>
+
+using namespace yoke;
+
+namespace {
+
+double distance(const Vec2& a, const Vec2& b) { return (a - b).norm(); }
+
+/// Tangent, normal and curvature of `curve` against differences of its points, and the offsets of
+/// points beside it.
+void check_geometry(const Curve& curve, double tolerance) {
+  const double length = curve.length();
+  for (const double share : {0.07, 0.31, 0.52, 0.77, 0.94}) {
+    const double s = share * length, h = 1e-5 * length;
+    const CurvePoint at = curve.at(s);
+    const Vec2 before = curve.at(s - h).point, after = curve.at(s + h).point;
+    CHECK(distance((after - before) / (2.0 * h), at.tangent) < 1e-7);
+    const Vec2 bend = (after - 2.0 * at.point + before) / (h * h);
+    CHECK(at.curvature * length ==
+          doctest::Approx(cross(at.tangent, bend) * length).epsilon(1e-3).scale(1.0));
+    for (const double side : {-0.02, 0.013}) {
+      const double d = side * length;
+      const Vec2 p = at.point + d * perp(at.tangent);
+      const CurveOffset offset = curve.offset(p);
+      CHECK(std::abs(offset.distance - d) < tolerance * length);
+      CHECK(distance(offset.normal, perp(at.tangent)) < 100.0 * tolerance);
+      CHECK(std::abs(curve.length_to(curve.nearest(p)) - s) < 100.0 * tolerance * length);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("lines, arcs and paths of them have the geometry of their formulas") {
+  check_geometry(line_segment({1.0, 2.0}, {1.3, 1.7}), 1e-14);
+  check_geometry(circular_arc({.center = {0.3, -0.2}, .radius = 0.5, .start = 2.9, .angle = 1.4}),
+                 1e-14);
+  check_geometry(circular_arc({.center = {0.3, -0.2}, .radius = 0.5, .start = 2.9, .angle = -4.4}),
+                 1e-14);
+  check_geometry(circle({5.0, 1.0}, 0.3), 1e-14);
+  const Curve path =
+      polyline({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, {.fillet = 0.25, .closed = true});
+  CHECK(path.closed());
+  CHECK(path.pieces() == 8);
+  CHECK(path.length() == doctest::Approx(4.0 - 8.0 * 0.25 + 0.5 * pi).epsilon(1e-14));
+  CHECK(corners_of(path).empty());
+  check_geometry(path, 1e-14);
+}
+
+TEST_CASE("the curve of a function is that function to rounding, however it is described") {
+  const auto ellipse = [](double u) { return Vec2(0.3 * std::cos(u), 0.2 * std::sin(u)); };
+  const Curve half = curve_of(ellipse, 0.2, 3.0);
+  for (const double u : {0.2, 0.77, 1.9, 3.0}) {
+    const Vec2 normal = Vec2(-std::cos(u) / 0.3, -std::sin(u) / 0.2).normalized();
+    const double bend = 0.3 * 0.2 / std::pow(std::hypot(0.3 * std::sin(u), 0.2 * std::cos(u)), 3);
+    const CurveOffset offset = half.offset(ellipse(u) + 0.05 * normal);
+    CHECK(std::abs(offset.distance - 0.05) < 1e-15);
+    CHECK(distance(offset.normal, normal) < 1e-12);
+    CHECK(offset.curvature == doctest::Approx(bend).epsilon(1e-9));
+  }
+  check_geometry(half, 1e-13);
+  const Curve whole = curve_of(ellipse, 0.0, 2.0 * pi, {.closed = true});
+  CHECK(whole.closed());
+  CHECK(whole.length() == doctest::Approx(1.5865439589290586).epsilon(1e-14));  // 4 a E(e)
+  check_geometry(whole, 1e-13);
+}
+
+TEST_CASE("a spline converges to the curve its points come from at the order of its degree") {
+  const auto wave = [](double u) { return Vec2(u, 0.1 * std::sin(3.0 * u)); };
+  for (const int degree : {3, 5}) {
+    double before = 0.0;
+    for (const int n : {21, 41, 81}) {
+      std::vector<Vec2> points;
+      for (int i = 0; i < n; ++i) points.push_back(wave(2.0 * i / (n - 1)));
+      const Curve spline = curve_through(points, {.degree = degree});
+      double worst = 0.0;
+      for (int i = 0; i < 500; ++i)
+        worst = std::max(worst, std::abs(spline.offset(wave(0.004 * i)).distance));
+      if (before > 0.0) CHECK(std::log2(before / worst) > degree + 0.5);
+      before = worst;
+    }
+    CHECK(before < (degree == 3 ? 1e-7 : 1e-9));
+  }
+}
+
+TEST_CASE("a closed spline has no seam and passes through its points") {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 40; ++i) {
+    const double a = 2.0 * pi * i / 40.0, r = 0.2 + 0.03 * std::cos(3.0 * a);
+    points.emplace_back(r * std::cos(a), r * std::sin(a));
+  }
+  const Curve spline = curve_through(points, {.closed = true});
+  CHECK(spline.closed());
+  for (const Vec2& p : points) CHECK(std::abs(spline.offset(p).distance) < 1e-15);
+  const CurvePoint first = spline.at(0.0), last = spline.at(spline.length());
+  CHECK(distance(first.point, last.point) < 1e-14);
+  CHECK(distance(first.tangent, last.tangent) < 1e-12);
+  CHECK(first.curvature == doctest::Approx(last.curvature).epsilon(1e-9));
+  check_geometry(spline, 1e-13);
+  // The same points begun elsewhere: the same curve.
+  std::rotate(points.begin(), points.begin() + 13, points.end());
+  const Curve turned = curve_through(points, {.closed = true});
+  for (int i = 0; i < 300; ++i)
+    CHECK(std::abs(turned.offset(spline.at(spline.length() * i / 300.0).point).distance) < 1e-14);
+}
+
+TEST_CASE("three points make a closed spline and four an open one; a line stays a line") {
+  const Curve triangle = curve_through({{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.8}}, {.closed = true});
+  CHECK(std::abs(triangle.offset({1.0, 0.0}).distance) < 1e-14);
+  const Curve line = curve_through({{0.0, 0.0}, {0.1, 0.05}, {0.3, 0.15}, {1.0, 0.5}});
+  CHECK(line.length() == doctest::Approx(std::hypot(1.0, 0.5)).epsilon(1e-14));
+  CHECK(std::abs(line.at(0.5).curvature) < 1e-12);
+}
+
+TEST_CASE("the nearest point is on the nearest branch, not on a far one") {
+  // A spiral whose turns are 0.02 m apart.
+  const auto spiral = [](double u) {
+    return Vec2((0.05 + 0.02 * u / (2.0 * pi)) * Vec2(std::cos(u), std::sin(u)));
+  };
+  const Curve curve = curve_of(spiral, 0.0, 8.0 * pi);
+  for (int i = 0; i < 2000; ++i) {
+    const double s = curve.length() * (i + 0.5) / 2000.0;
+    const CurvePoint at = curve.at(s);
+    for (const double d : {-0.0095, 0.0095}) {
+      const Vec2 p = at.point + d * perp(at.tangent);
+      CHECK(std::abs(curve.offset(p).distance) < 0.0095 * (1.0 + 1e-12));
+      CHECK(std::abs(curve.length_to(curve.nearest(p)) - s) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("curves are moved without loss, however far") {
+  const auto wave = [](double u) { return Vec2(u, 0.1 * std::sin(3.0 * u)); };
+  const Curve curve = curve_of(wave, 0.0, 2.0), far = curve.moved(0.0, {1024.0, 2048.0});
+  const Vec2 p(0.625, 0.125);
+  CHECK(far.offset(p + Vec2(1024.0, 2048.0)).distance == curve.offset(p).distance);
+  const Curve turned = curve.moved(0.7, {0.3, 0.1});
+  CHECK(std::abs(turned.offset(rotate(0.7, p) + Vec2(0.3, 0.1)).distance -
+                 curve.offset(p).distance) < 1e-15);
+}
+
+TEST_CASE("what is no curve is refused with what is wrong") {
+  using tests::message_of;
+  CHECK(message_of([] {
+          line_segment({1.0, 1.0}, {1.0, 1.0});
+        }).find("length = 0 m") != std::string::npos);
+  CHECK(message_of([] {
+          curve_through({{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}});
+        }) == "curve through points: points 2 and 3 are the same");
+  CHECK(message_of([] {
+          curve_through({{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}});
+        }) == "curve through points: 3 points are too few; at least 4");
+  CHECK(message_of([] {
+          curve_of([](double u) { return Vec2(u, std::abs(u - 0.3)); }, 0.0, 1.0);
+        }).find("it is not smooth near u = 0.3") != std::string::npos);
+  CHECK(message_of([] {
+          curve_of([](double u) { return Vec2(u - std::sin(u), 1.0 - std::cos(u)); }, 0.0, 3.0);
+        }).find("it stands still at u = 0") != std::string::npos);
+  CHECK(message_of([] {
+          polyline({{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.1}, {2.0, 0.1}}, {.fillet = 0.08});
+        }).find("side 2 of 0.1 m is too short") != std::string::npos);
+  CHECK(message_of([] {
+          chain({line_segment({0.0, 0.0}, {1.0, 0.0}), line_segment({1.1, 0.0}, {2.0, 0.0})});
+        }).find("piece 2 begins 0.1 m from the end of piece 1") != std::string::npos);
+  const Curve eight = curve_of([](double u) { return Vec2(std::sin(u), std::sin(2.0 * u)); }, 0.1,
+                               0.1 + 2.0 * pi, {.closed = true});
+  CHECK(message_of([&] {
+          require_simple("track", eight);
+        }).find("track: the curve crosses itself") == 0);
+}
+
+TEST_CASE("absorber paths have Denman's radius of curvature, the tautochrone its distance") {
+  for (const double n : {1.0, 2.0, 3.5})
+    for (const double lambda : {0.0, 0.4, tautochronic_lambda(n), 1.0}) {
+      const Vec2 axis(0.3, -0.1);
+      const double R0 = 0.125, rho0 = R0 / (1.0 + n * n), reach = 0.8 * rho0;
+      const Curve path = absorber_path({.center = axis,
+                                        .direction = 0.7,
+                                        .distance = R0,
+                                        .order = n,
+                                        .lambda = lambda,
+                                        .reach = reach});
+      CHECK(path.length() == doctest::Approx(2.0 * reach).epsilon(1e-13));
+      for (const double s : {-0.79 * rho0, -0.3 * rho0, 0.0, 0.5 * rho0}) {
+        const CurvePoint at = path.at(s + reach);
+        const double rho = std::sqrt(rho0 * rho0 - lambda * lambda * s * s);
+        CHECK(at.curvature == doctest::Approx(1.0 / rho).epsilon(1e-9));
+        if (lambda == tautochronic_lambda(n))
+          CHECK((at.point - axis).squaredNorm() ==
+                doctest::Approx(R0 * R0 - n * n * s * s).epsilon(1e-13));
+      }
+    }
+  CHECK(tests::message_of([] {
+          absorber_path({.distance = 0.1, .order = 2.0, .lambda = 1.0, .reach = 0.02});
+        }).find("reach = 0.02 m is outside the accepted range 0 to 0.0196 m") != std::string::npos);
+}
