@@ -68,8 +68,9 @@ Model andrews() {
 }
 
 Case andrews_case() {
-  return case_without_choices(
-      "andrews", "Andrews' squeezing mechanism: seven bodies, three closed loops", andrews, "0.03");
+  return case_without_choices("benchmarks", "andrews",
+                              "Andrews' squeezing mechanism: seven bodies, three closed loops",
+                              andrews, "0.03");
 }
 
 }  // namespace yoke::cases

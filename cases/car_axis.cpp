@@ -57,8 +57,9 @@ Model car_axis() {
 }
 
 Case car_axis_case() {
-  return case_without_choices(
-      "car_axis", "car axis of the test set for IVP solvers: stiff springs, a rod", car_axis, "3");
+  return case_without_choices("benchmarks", "car_axis",
+                              "car axis of the test set for IVP solvers: stiff springs, a rod",
+                              car_axis, "3");
 }
 
 }  // namespace yoke::cases

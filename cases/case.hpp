@@ -12,9 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include <yoke/cases/checks/check.hpp>
 #include <yoke/cases/choices/contact_choice.hpp>
 #include <yoke/cases/choices/parameters.hpp>
 #include <yoke/core/model.hpp>
+#include <yoke/core/result.hpp>
 
 namespace yoke::cases {
 
@@ -28,6 +30,7 @@ struct MotionColumn {
 
 struct Case {
   std::string name;
+  std::string group{};      // "linkages": `yoke list` prints cases by group
   std::string description;  // one line
   std::vector<CaseParameter> parameters{};
   ContactChoice contact{};  // empty: no contact, or laws that cannot be chosen
@@ -41,6 +44,11 @@ struct Case {
   /// Optional: the columns of motion.csv under the case's own names, in place of all columns of the
   /// engine.
   std::function<std::vector<MotionColumn>(const Parameters&, const Model&)> columns{};
+  /// Optional: numbers of a run beside what they should be. Called for runs that completed, with at
+  /// least two rows of samples.
+  std::function<std::vector<Check>(const Parameters&, const Model&, const Result&)> checks{};
+  /// Optional: bodies whose path is drawn, y over x.
+  std::vector<std::string> paths{};
   /// Optional: rows recorded of a run with contacts, at least. They are many more than are written
   /// to motion.csv, because an impact is short and its peak and its loop are to be seen whole.
   std::function<double(const Parameters&)> recorded_rows{};
@@ -61,8 +69,15 @@ std::vector<std::string> choose_laws(const Case& c, const std::vector<std::strin
 /// law of the case. Throws ModelError.
 Model make_model(const Case& c, const Parameters& parameters, std::string_view law = "");
 
-/// A case whose only parameter is the duration of the run, in seconds.
-Case case_without_choices(std::string name, std::string description, Model (*model)(),
-                          std::string duration);
+/// The cases by group, groups and cases in the order of the registry.
+struct CaseGroup {
+  std::string name;
+  std::vector<const Case*> cases;
+};
+std::vector<CaseGroup> case_groups();
+
+/// A case whose only parameter is the duration of the run, in seconds; its check is the energy.
+Case case_without_choices(std::string group, std::string name, std::string description,
+                          Model (*model)(), std::string duration);
 
 }  // namespace yoke::cases

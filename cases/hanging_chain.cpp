@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 //
 // A chain of uniform links that hangs from a pivot; one link is the pendulum.
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
 #include <string>
 
 #include <yoke/cases/case.hpp>
@@ -35,10 +37,24 @@ Model model_of(const Parameters& p) {
   return m;
 }
 
+/// One link without damping is a pendulum; its period is 4 K(sin(angle / 2)) sqrt(2 l / (3 g)).
+std::vector<Check> hanging_chain_checks(const Parameters& p, const Model&, const Result& run) {
+  std::vector<Check> checks = {energy_check(run)};
+  const double l = p.number("length"), angle = p.number("angle");
+  if (p.whole("links") != 1 || p.number("damping") != 0.0) return checks;
+  const std::vector<double> times =
+      rising_times(run, "link 1.angle_rad", "link 1.omega_rad_per_s", -0.5 * pi);
+  const double period =
+      4.0 * boost::math::ellint_1(std::sin(0.5 * angle)) * std::sqrt(2.0 * l / (3.0 * 9.81));
+  for (Check& check : period_check(run, times, period)) checks.push_back(std::move(check));
+  return checks;
+}
+
 }  // namespace
 
 Case hanging_chain_case() {
   return {.name = "hanging_chain",
+          .group = "pendulums and chains",
           .description = "a hanging chain of uniform links, 1 kg together",
           .parameters = {{.name = "links",
                           .quantity = Quantity::number,
@@ -67,7 +83,8 @@ Case hanging_chain_case() {
                           .description = "of every joint, in N m s/rad"}},
           .default_output = "results/hanging_chain",
           .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
-          .duration = [](const Parameters&) { return 5.0; }};
+          .duration = [](const Parameters&) { return 5.0; },
+          .checks = hanging_chain_checks};
 }
 
 }  // namespace yoke::cases

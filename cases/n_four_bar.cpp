@@ -10,10 +10,21 @@ namespace {
 
 Model model_of(const Parameters& p) { return n_four_bar({.loops = p.whole("N")}); }
 
+/// The upright links turn like one pendulum.
+std::vector<Check> checks_of(const Parameters& p, const Model&, const Result& run) {
+  const int loops = p.whole("N");
+  return {energy_check(run),
+          deviation_check("angle of the links off by", run, "link 0.angle_rad", "rad",
+                          "closed form, elliptic functions", [&, t = run["t_s"]](std::size_t i) {
+                            return n_four_bar_angle(loops, t[static_cast<Eigen::Index>(i)]);
+                          })};
+}
+
 }  // namespace
 
 Case n_four_bar_case() {
   return {.name = "n_four_bar",
+          .group = "benchmarks",
           .description = "IFToMM benchmark A02: N four-bar loops through singular positions",
           .parameters = {{.name = "N",
                           .quantity = Quantity::number,
@@ -30,7 +41,8 @@ Case n_four_bar_case() {
                           .description = "of the run, in seconds"}},
           .default_output = "results/n_four_bar",
           .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
-          .duration = [](const Parameters& p) { return p.number("duration"); }};
+          .duration = [](const Parameters& p) { return p.number("duration"); },
+          .checks = checks_of};
 }
 
 }  // namespace yoke::cases

@@ -2,6 +2,9 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/cases/pendulums.hpp>
 
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+
 #include <yoke/cases/case.hpp>
 #include <yoke/joints/distance.hpp>
 #include <yoke/joints/forces/gravity.hpp>
@@ -46,15 +49,46 @@ Model double_pendulum() {
   return m;
 }
 
+namespace {
+
+/// Through the lowest point to the right, every period 4 K(sin(90 deg / 2)) sqrt(L / g).
+std::vector<Check> point_pendulum_checks(const Parameters&, const Model&, const Result& run) {
+  std::vector<Check> checks = {energy_check(run)};
+  const std::vector<double> times = rising_times(run, "mass.x_m", "mass.vx_m_per_s");
+  const double period = 4.0 * boost::math::ellint_1(std::sin(0.25 * pi)) / std::sqrt(9.81);
+  for (Check& check : period_check(run, times, period)) checks.push_back(std::move(check));
+  return checks;
+}
+
+/// Released at rest at the height of the pivot: kinetic and potential energy cancel at all times.
+std::vector<Check> double_pendulum_checks(const Parameters&, const Model&, const Result& run) {
+  const double g = 9.81;
+  return {energy_check(run),
+          deviation_check("kinetic energy off that of the height fallen", run, "kinetic_J", "J",
+                          "closed form", [&, a = run["a.y_m"], b = run["b.y_m"]](std::size_t i) {
+                            const auto row = static_cast<Eigen::Index>(i);
+                            return -g * (a[row] + b[row]);
+                          })};
+}
+
+}  // namespace
+
 Case point_pendulum_case() {
-  return case_without_choices("point_pendulum",
-                              "IFToMM benchmark A01: a point mass on a massless rod",
-                              point_pendulum, "10");
+  Case c = case_without_choices("benchmarks", "point_pendulum",
+                                "IFToMM benchmark A01: a point mass on a massless rod",
+                                point_pendulum, "10");
+  c.checks = point_pendulum_checks;
+  c.paths = {"mass"};
+  return c;
 }
 
 Case double_pendulum_case() {
-  return case_without_choices("double_pendulum", "two uniform rods in a row, released horizontal",
-                              double_pendulum, "10");
+  Case c =
+      case_without_choices("pendulums and chains", "double_pendulum",
+                           "two uniform rods in a row, released horizontal", double_pendulum, "10");
+  c.checks = double_pendulum_checks;
+  c.paths = {"a", "b"};
+  return c;
 }
 
 }  // namespace yoke::cases

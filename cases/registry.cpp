@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include <yoke/cases/case.hpp>
@@ -14,6 +15,9 @@ Case scotch_yoke_case();
 Case n_four_bar_case();
 Case parallelogram_case();
 Case slider_crank_case();
+Case quick_return_case();
+Case jansen_leg_case();
+Case scott_russell_platform_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -22,11 +26,33 @@ Case car_axis_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
-      scotch_yoke_case(),     n_four_bar_case(),    parallelogram_case(),
-      slider_crank_case(),    hanging_chain_case(), point_pendulum_case(),
-      double_pendulum_case(), andrews_case(),       car_axis_case(),
+      scotch_yoke_case(),
+      // linkages
+      slider_crank_case(),
+      quick_return_case(),
+      jansen_leg_case(),
+      parallelogram_case(),
+      scott_russell_platform_case(),
+      // pendulums and chains
+      hanging_chain_case(),
+      double_pendulum_case(),
+      // benchmarks
+      point_pendulum_case(),
+      n_four_bar_case(),
+      andrews_case(),
+      car_axis_case(),
   };
   return cases;
+}
+
+std::vector<CaseGroup> case_groups() {
+  std::vector<CaseGroup> groups;
+  for (const Case& c : case_registry()) {
+    auto group = std::ranges::find(groups, c.group, &CaseGroup::name);
+    if (group == groups.end()) group = groups.insert(groups.end(), {c.group, {}});
+    group->cases.push_back(&c);
+  }
+  return groups;
 }
 
 const Case& find_case(std::string_view name) {
@@ -51,10 +77,11 @@ Model make_model(const Case& c, const Parameters& parameters, std::string_view l
   return c.model(parameters, make_laws(c.contact, parameters, law));
 }
 
-Case case_without_choices(std::string name, std::string description, Model (*model)(),
-                          std::string duration) {
+Case case_without_choices(std::string group, std::string name, std::string description,
+                          Model (*model)(), std::string duration) {
   const std::string folder = "results/" + name;
   return {.name = std::move(name),
+          .group = std::move(group),
           .description = std::move(description),
           .parameters = {{.name = "duration",
                           .quantity = Quantity::number,
@@ -64,7 +91,9 @@ Case case_without_choices(std::string name, std::string description, Model (*mod
                           .description = "of the run, in seconds"}},
           .default_output = folder,
           .model = [model](const Parameters&, const WallLaws&) { return model(); },
-          .duration = [](const Parameters& p) { return p.number("duration"); }};
+          .duration = [](const Parameters& p) { return p.number("duration"); },
+          .checks = [](const Parameters&, const Model&,
+                       const Result& run) { return std::vector{energy_check(run)}; }};
 }
 
 }  // namespace yoke::cases

@@ -313,10 +313,34 @@ std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model&
   return columns;
 }
 
+/// The slider stays within what the gap and the deepest penetration allow around the mechanism
+/// without clearance: X with R_m longer or shorter by both.
+std::vector<Check> scotch_yoke_checks(const ScotchYoke& choices, const Model& model,
+                                      const Result& run) {
+  const double play = gap + std::max(0.0, run["slot.penetration_m"].maxCoeff());
+  const double shift = arc_centre_offset(model, choices);
+  const Eigen::VectorXd angle = run["crank.angle_rad"], x = run["slider.x_m"];
+  double beyond = 0.0;
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
+    const auto ideal = [&](double radius) {
+      return ideal_scotch_yoke(choices.crank_length, angle[i], speed, radius).x;
+    };
+    const double at = x[i] + shift;
+    beyond = std::max({beyond, at - ideal(arc_radius + play), ideal(arc_radius - play) - at});
+  }
+  return {{.what = "slider farther from the mechanism without clearance than the play, by",
+           .value = 1e6 * beyond,
+           .unit = "um",
+           .tolerance = 1e-3,
+           .remark = fmt::format("closed form; gap and deepest penetration {:.1f} um", 1e6 * play)},
+          energy_check(run)};
+}
+
 }  // namespace
 
 Case scotch_yoke_case() {
   return {.name = "scotch_yoke",
+          .group = "joints with clearance",
           .description = "scotch-yoke with a circular slot and clearance, under many contact laws",
           .parameters = parameters(),
           .contact = contact_choice(),
@@ -329,6 +353,8 @@ Case scotch_yoke_case() {
           .duration = [](const Parameters& p) { return ScotchYoke(p).end_time(); },
           .columns = [](const Parameters& p,
                         const Model& model) { return motion_columns(ScotchYoke(p), model); },
+          .checks = [](const Parameters& p, const Model& model,
+                       const Result& run) { return scotch_yoke_checks(ScotchYoke(p), model, run); },
           // 50 or more in the shortest impact; long runs less densely, to bound the memory.
           .recorded_rows =
               [](const Parameters& p) {

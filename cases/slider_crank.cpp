@@ -78,6 +78,17 @@ Model model_of(const Parameters& p) {
   return m;
 }
 
+std::vector<Check> slider_crank_checks(const Parameters& p, const Model&, const Result& run) {
+  const double r = p.number("crank"), l = p.number("rod"), omega = p.number("speed") * pi / 30.0;
+  return {energy_check(run),
+          deviation_check("position of the slider off by", run, "slider.x_m", "m", "closed form",
+                          [&, t = run["t_s"]](std::size_t i) {
+                            const double phi = omega * t[static_cast<Eigen::Index>(i)];
+                            const double up = r * std::sin(phi);
+                            return r * std::cos(phi) + std::sqrt(l * l - up * up);
+                          })};
+}
+
 }  // namespace
 
 Model free_slider_crank() {
@@ -123,6 +134,7 @@ Model sprung_slider_crank() {
 
 Case slider_crank_case() {
   return {.name = "slider_crank",
+          .group = "linkages",
           .description = "an ideal slider-crank, driven at constant speed",
           .parameters = {{.name = "crank",
                           .quantity = Quantity::length,
@@ -144,7 +156,9 @@ Case slider_crank_case() {
                           .description = "of the crank, in revolutions per minute"}},
           .default_output = "results/slider_crank",
           .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
-          .duration = [](const Parameters& p) { return 120.0 / p.number("speed"); }};
+          .duration = [](const Parameters& p) { return 120.0 / p.number("speed"); },
+          .checks = slider_crank_checks,
+          .paths = {"rod"}};
 }
 
 }  // namespace yoke::cases

@@ -42,7 +42,7 @@ struct Job {
     LawRun run = run_law(c, own, laws[i], std::move(observer));
     run.folder = folders[i];
     write_run(c, request, run, own.output);
-    if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots());
+    if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots(), c.paths);
     if (!request.plots || !more) run.history = run.samples = {};
     return run;
   }
@@ -73,6 +73,7 @@ RunStatus run_case(const Case& c, const RunRequest& request, const FigureMaker& 
     });
   }
   print_report(runs);
+  print_checks(runs);
   const std::string output = request.output.string();
   if (job.choice) {
     write_comparison(runs, request.output / "comparison.csv");

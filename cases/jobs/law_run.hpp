@@ -38,6 +38,7 @@ struct LawRun {
   std::size_t stride = 1;
   std::vector<ContactRecord> contacts{};
   std::optional<Verification> verification{};
+  std::vector<Check> checks{};
 
   /// What motion.csv shows.
   const Table& motion() const { return history.names().empty() ? samples : history; }

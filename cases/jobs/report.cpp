@@ -13,6 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json check_json(const Check& c) {
+  return {{"what", c.what},    {"value", c.value},         {"expected", c.expected},
+          {"unit", c.unit},    {"tolerance", c.tolerance}, {"within", c.within()},
+          {"remark", c.remark}};
+}
+
 std::string summary_json(const Case& c, const RunRequest& request, const LawRun& run) {
   Json json = {{"case", c.name}};
   if (!run.law.empty()) json["law"] = run.law;
@@ -21,6 +27,7 @@ std::string summary_json(const Case& c, const RunRequest& request, const LawRun&
   json["samples"] = (run.samples.rows() + run.stride - 1) / run.stride;
   if (!run.contacts.empty()) json["contacts"] = run.onsets();
   if (run.verification) json["verification"] = Json::parse(to_json(*run.verification));
+  for (const Check& check : run.checks) json["checks"].push_back(check_json(check));
   if (!run.contacts.empty()) {
     json["peak_force_N"] = run.peak_force();
     json["largest_penetration_m"] = run.largest_penetration();
@@ -124,6 +131,12 @@ void print_report(const std::vector<LawRun>& runs) {
     if (run.done && !run.summary.ok())
       fmt::print("{}: stopped at t = {:.6g} s of {:.6g} s: {}\n", run.law, run.summary.t_end,
                  run.summary.t_asked, run.summary.reason);
+}
+
+void print_checks(const std::vector<LawRun>& runs) {
+  for (const LawRun& run : runs)
+    for (const Check& check : run.checks)
+      fmt::print("check: {}{}\n", run.law.empty() ? "" : run.law + ": ", text_of(check));
 }
 
 void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path) {

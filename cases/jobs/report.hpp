@@ -21,6 +21,9 @@ void write_run(const Case& c, const RunRequest& request, const LawRun& run,
 /// and what every user should know: redundant equations, singular positions, runs that failed.
 void print_report(const std::vector<LawRun>& runs);
 
+/// The checks of each run, a line each.
+void print_checks(const std::vector<LawRun>& runs);
+
 /// The same table as CSV, every contact in columns of its own. Throws OutputError.
 void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path);
 

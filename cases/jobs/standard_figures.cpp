@@ -87,15 +87,25 @@ double peak_of(const Table& samples, const std::string& joint, const char* what)
   return samples[joint + what].cwiseAbs().maxCoeff();
 }
 
-/// Joints that carry a force or a moment.
+/// Joints that carry a force or a moment, above the rounding of the largest force at the farthest
+/// body.
 Texts joints_of(const Table& samples, bool moment) {
   Texts names;
+  double force = 0.0, reach = 0.0;
+  for (const std::string& column : samples.names()) {
+    const auto largest_of = [&](double most) {
+      return std::max(most, samples[column].cwiseAbs().maxCoeff());
+    };
+    if (column.ends_with(".x_m") || column.ends_with(".y_m")) reach = largest_of(reach);
+    if (column.ends_with(".fx_N") || column.ends_with(".fy_N")) force = largest_of(force);
+  }
+  const double rounding = 1e-12 * force * (moment ? reach : 1.0);
   for (const std::string& joint : owners(samples, ".moment_N_m")) {
     if (!samples.has(joint + ".fx_N")) continue;
     const double peak =
         moment ? peak_of(samples, joint, ".moment_N_m")
                : std::max(peak_of(samples, joint, ".fx_N"), peak_of(samples, joint, ".fy_N"));
-    if (peak > 0.0) names.push_back(joint);
+    if (peak > rounding) names.push_back(joint);
   }
   return largest(names, [&](const std::string& joint) {
     return moment ? peak_of(samples, joint, ".moment_N_m")
@@ -143,6 +153,29 @@ void write_motion(const Table& samples, const DrawnRun& drawn, const Path& path)
     for (const auto& [x, y] : forces) append(std::hypot(samples.value(i, x), samples.value(i, y)));
   }
   write_text(path, text);
+}
+
+/// x and y of the bodies whose path is drawn. Returns the height of all paths over their width.
+double write_paths(const Table& samples, const Texts& paths, const Path& path) {
+  double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+  std::string text = "t_s";
+  std::vector<std::size_t> columns{samples.index("t_s")};
+  for (const std::string& body : paths)
+    for (const int axis : {0, 1}) {
+      const std::string column = body + (axis == 0 ? ".x_m" : ".y_m");
+      const Eigen::VectorXd values = samples[column];
+      low[axis] = std::min(low[axis], values.minCoeff());
+      high[axis] = std::max(high[axis], values.maxCoeff());
+      columns.push_back(samples.index(column));
+      text += "," + column;
+    }
+  const std::size_t every = std::max<std::size_t>(1, (samples.rows() - 1) / (motion_rows - 1));
+  for (std::size_t i = 0; i < samples.rows(); i += every)
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      fmt::format_to(std::back_inserter(text), "{}{:.7g}", j == 0 ? '\n' : ',',
+                     samples.value(i, columns[j]));
+  write_text(path, text);
+  return (high[1] - low[1]) / std::max(high[0] - low[0], 1e-300);
 }
 
 /// Force and penetration of every contact.
@@ -286,6 +319,29 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
   return figure;
 }
 
+/// Paths of bodies, y over x, both on one scale; a ring where each starts.
+Figure path_figure(const DrawnRun& run, const std::string& title) {
+  const std::string file = data_file("path", run);
+  Texts lines;
+  for (std::size_t i = 0; i < run.paths.size(); ++i) {
+    const std::string& body = run.paths[i];
+    const std::string columns =
+        fmt::format("{} using {}:{}", gnuplot_text(file), gnuplot_text(body + ".x_m"),
+                    gnuplot_text(body + ".y_m"));
+    lines.push_back(fmt::format("{} title {} {}", columns, gnuplot_text(body), style(i)));
+    lines.push_back(fmt::format("{} every ::0::0 notitle with points lc rgb '{}' pt 6 ps 1.5",
+                                columns, colours[i % colours.size()]));
+  }
+  return {.name = "path",
+          .title = title,
+          .width = 1000,
+          .height = 150 + static_cast<int>(750.0 * std::clamp(run.path_aspect, 0.3, 1.2)),
+          .body = fmt::format("  set title {} noenhanced; set key noenhanced outside right top\n"
+                              "  set size ratio -1; set offsets graph 0.05, 0.05, 0.05, 0.05\n"
+                              "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
+                              gnuplot_text(title), plot(lines))};
+}
+
 Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
   Texts lines;
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -306,15 +362,18 @@ Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
 
 }  // namespace
 
-DrawnRun write_standard_data(const LawRun& run, const Path& folder) {
+DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts& paths) {
   DrawnRun drawn{.law = run.law, .folder = run.folder, .contacts = run.contacts};
   if (run.samples.rows() < 2) return drawn;
   make_output_folder(folder);
   drawn.bodies = bodies_of(run.samples);
+  drawn.paths = paths;
   drawn.forces = joints_of(run.samples, false);
   drawn.moments = joints_of(run.samples, true);
   drawn.energies = energies_of(run.samples);
   write_motion(run.samples, drawn, folder / data_file("motion", drawn));
+  if (!paths.empty())
+    drawn.path_aspect = write_paths(run.samples, paths, folder / data_file("path", drawn));
   if (run.contacts.empty()) return drawn;
   write_contacts(run, folder / data_file("contact", drawn));
   write_hardest(run, folder / data_file("hardest", drawn));
@@ -332,6 +391,7 @@ std::vector<Figure> standard_figures(const std::string& case_name,
                        const std::vector<Panel>& all) {
     figures.push_back(panel_figure(name, title(what), all));
   };
+  if (!first.paths.empty()) figures.push_back(path_figure(first, title("paths")));
   if (!first.bodies.empty()) {
     add("motion", "motion of the bodies",
         {body_panel(first, "x [m]", "x_m"), body_panel(first, "y [m]", "y_m"),

@@ -19,12 +19,15 @@ struct DrawnRun {
   std::string law, folder;
   std::vector<ContactRecord> contacts{};
   std::vector<std::string> bodies{};
+  std::vector<std::string> paths{};              // bodies whose path is drawn
+  double path_aspect = 1.0;                      // height over width of all paths
   std::vector<std::string> forces{}, moments{};  // joints that carry a force, a moment
   std::vector<std::string> energies{};           // terms of the ledger: "kinetic"
 };
 
-/// Writes the data of one run for the figures into `folder`. Throws OutputError.
-DrawnRun write_standard_data(const LawRun& run, const std::filesystem::path& folder);
+/// Writes the data of one run for the figures into `folder`; `paths` as in Case. Throws OutputError.
+DrawnRun write_standard_data(const LawRun& run, const std::filesystem::path& folder,
+                             const std::vector<std::string>& paths = {});
 
 /// The figures of runs whose data was written. Motion, velocities, reactions and energy are those
 /// of the first run.

@@ -122,15 +122,43 @@ Texts ranked(const Texts& names, const std::function<double(const std::string&)>
 
 // ---- the statements ----
 
+/// What is studied, as on the pages of the other cases.
+constexpr const char* mechanism = R"(
+```sh
+yoke run scotch_yoke --set crank_length=50mm --law johnson
+```
+
+```text
+                   1 kg
+                 .-(o)
+              .-' .-'            o   crank pivot, origin
+            .'  .'               P   pin, radius 7.9 mm, at r = crank_length from the pivot
+           /   /                 C   centre of the slot's arc, fixed in the slider: its x is what
+          |   | P                    the results call slider_x_m, its y is 0
+   o------+-(#)+ - - - C
+    phi   |   |    R_m           R_m 60 mm to the middle of the slot; walls at 52 mm (inner) and
+           \   \                     68 mm (outer, the far one from C), over 120 deg, caps 8 mm
+            '.  '.               slider: 0.353 kg and 1 kg at each end of the slot
+              '-. '-.            24 pi rad/s, no gravity, no friction
+                 '-(o)
+                   1 kg          without clearance X = r cos(phi) + sqrt(R_m^2 - r^2 sin^2(phi))
+```
+
+Without clearance X'' = 0, where the force changes sides, is at 63.6 and 296.4 deg for a crank of 45 mm. A run
+prints as a check whether the slider stays within gap and penetration of X, and the balance of energy for
+each law. Its plots: Figures 11 to 16 of the paper ([figures](../figures.md)), motion, velocities, reactions,
+energy, contact force, penetration and the loop of the hardest contact.
+)";
+
 std::string front_matter(const Study& s) {
   return fmt::format(
       "# The scotch-yoke and what the paper says about it\n\n"
-      "Written by `yoke study scotch_yoke > docs/scotch_yoke.md`; do not edit by hand. The paper "
+      "Written by `yoke study scotch_yoke > docs/cases/scotch_yoke.md`; do not edit by hand. The paper "
       "is "
       "Autiero et al., Machines 2022, 10, 966, section 4. The runs are those of `yoke run "
       "scotch_yoke`, by {} at rtol {:g}. Angles count from the start of the last revolution. A "
-      "verdict follows from the numbers beside it; no parameter was tuned.\n",
-      s.request.formulation, s.request.relative_tolerance);
+      "verdict follows from the numbers beside it; no parameter was tuned.\n{}",
+      s.request.formulation, s.request.relative_tolerance, mechanism);
 }
 
 /// [N] with the slider on the ideal path.

@@ -14,7 +14,10 @@ namespace {
 
 int list_everything() {
   fmt::print("Cases\n");
-  for (const Case& c : case_registry()) fmt::print("  {:<22} {}\n", c.name, c.description);
+  for (const CaseGroup& group : case_groups()) {
+    fmt::print(" {}\n", group.name);
+    for (const Case* c : group.cases) fmt::print("  {:<22} {}\n", c->name, c->description);
+  }
   for (const Case& c : case_registry()) {
     if (c.contact.laws.empty()) continue;
     fmt::print("\nLaws of {} ('yoke law list' has more for --law)\n", c.name);

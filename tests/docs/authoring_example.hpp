@@ -122,6 +122,7 @@ ContactLaw johnson_on_steel(const cases::Parameters&, const cases::Wall& wall) {
 
 cases::Case pendulum_follower_case() {
   return {.name = "pendulum_follower",
+          .group = "joints with clearance",
           .description = "pendulum whose pin drives a sprung block through an arc slot",
           .parameters = {{.name = "start_angle",
                           .quantity = cases::Quantity::angle,
@@ -143,7 +144,10 @@ cases::Case pendulum_follower_case() {
                 return mechanism({.start_angle = p.number("start_angle")},
                                  {laws["inner"], laws["outer"], laws["cap"]});
               },
-          .duration = [](const cases::Parameters& p) { return p.number("duration"); }};
+          .duration = [](const cases::Parameters& p) { return p.number("duration"); },
+          .checks = [](const cases::Parameters&, const Model&,
+                       const Result& run) { return std::vector{cases::energy_check(run)}; },
+          .paths = {"rod", "block"}};
 }
 
 }  // namespace pendulum_follower

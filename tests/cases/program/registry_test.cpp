@@ -81,6 +81,48 @@ TEST_SUITE("registries") {
     }
   }
 
+  TEST_CASE("yoke list prints the cases by group, each group once") {
+    const std::string text = printed("list");
+    const std::vector<cases::CaseGroup> groups = cases::case_groups();
+    CHECK(groups.size() >= 4);
+    std::size_t count = 0;
+    for (const cases::CaseGroup& g : groups) {
+      CHECK(!g.name.empty());
+      const std::size_t at = text.find("\n " + g.name + "\n");
+      REQUIRE_MESSAGE(at != std::string::npos, g.name);
+      CHECK(text.find("\n " + g.name + "\n", at + 1) == std::string::npos);
+      std::size_t place = at;
+      for (const cases::Case* c : g.cases) {
+        CHECK_MESSAGE(text.find("\n  " + c->name + " ", place) != std::string::npos, c->name);
+        place = text.find("\n  " + c->name + " ", place);
+        ++count;
+      }
+    }
+    CHECK(count == cases::case_registry().size());
+  }
+
+  TEST_CASE("every case has its page in docs/cases/, and the index leads there") {
+    const std::string index = source("docs/cases/README.md");
+    Names pages{"README.md"};
+    for (const cases::Case& c : cases::case_registry()) {
+      INFO(c.name);
+      pages.insert(c.name + ".md");
+      CHECK(contains(index, "[" + c.name + "](" + c.name + ".md)"));
+      CHECK(contains(index, c.description));
+      const std::string page = source("docs/cases/" + c.name + ".md");
+      CHECK(contains(page, "yoke run " + c.name));
+      const cases::Parameters defaults(c.parameters);
+      for (const cases::CaseParameter& p : c.parameters) {
+        const std::string row = "| " + p.name + " | " + defaults.text(p.name) + " |";
+        CHECK_MESSAGE(contains(page, row), row);
+      }
+    }
+    for (const cases::CaseGroup& g : cases::case_groups())
+      CHECK_MESSAGE(contains(index, "## " + g.name), g.name);
+    for (const auto& entry : fs::directory_iterator(fs::path(YOKE_SOURCE_DIR) / "docs/cases"))
+      CHECK_MESSAGE(pages.count(entry.path().filename().string()) == 1, entry.path().string());
+  }
+
   TEST_CASE("yoke law list prints the catalogues") {
     const std::string text = printed("law list");
     CHECK(listed(text, "Elastic laws") ==

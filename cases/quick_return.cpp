@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Whitworth's quick-return mechanism as in a shaper: the pin of a crank drives a slotted lever,
+// whose tip moves a ram through a link.
+//
+//    ram          link       tip
+//   [===]-----------------------o         O  pivot of the lever, origin
+//   ======  guide at H         / /        M  pivot of the crank, `distance` above O
+//                             / /         P  pin of the crank, in the slot of the lever
+//                    .-- P (o)
+//               crank    / / /            H = lever (1 + cos(beta)) / 2: the tip is as far above
+//                    M(+) / /                 the guide in the middle as below it at the ends
+//                       / /
+//                      O                  sin(beta) = crank / distance
+//
+// The crank turns at constant speed, counter-clockwise. The lever swings by beta to either side.
+// While the pin goes over the top the ram works, moving to the left; it returns while the pin goes
+// below M, where it is nearer to O:
+//
+//   lever angle  theta = atan2(distance + r sin(phi), r cos(phi))
+//   stroke       2 lever sin(beta)
+//   time ratio   (180 deg + 2 beta) / (180 deg - 2 beta), work to return
+//
+// What should happen. Twice the time for the stroke as for the return (crank 100 mm, distance
+// 200 mm: beta = 30 deg); the force in the slot peaks twice in the return,
+// where the ram is made fast and slow again.
+#include <cmath>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/core/units.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/point_on_line.hpp>
+#include <yoke/joints/prismatic.hpp>
+#include <yoke/joints/revolute.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+using namespace yoke::literals;
+
+struct QuickReturn {
+  double crank, distance, lever, link;  // [m]
+  double omega;                         // [rad/s] of the crank
+  double start = 0.5 * pi;              // [rad] crank upright: the middle of the stroke
+
+  explicit QuickReturn(const Parameters& p)
+      : crank(p.number("crank")),
+        distance(p.number("distance")),
+        lever(p.number("lever")),
+        link(p.number("link")),
+        omega(p.number("speed") * pi / 30.0) {
+    const auto refuse = [](const char* name, double is, const char* need, double than) {
+      throw ModelError(fmt::format("quick_return: {} = {:g} mm must be {} {:g} mm", name, 1e3 * is,
+                                   need, 1e3 * than));
+    };
+    if (!(crank < 0.99 * distance))
+      refuse("crank", crank, "shorter than 0.99 times the distance of the pivots,",
+             0.99 * distance);
+    if (!(lever > crank + distance))
+      refuse("lever", lever, "longer than crank and distance together,", crank + distance);
+    if (!(link > lever - height()))
+      refuse("link", link, "longer than the tip rises above the guide,", lever - height());
+  }
+
+  double swing() const { return std::asin(crank / distance); }  // beta
+  double height() const { return 0.5 * lever * (1.0 + std::cos(swing())); }
+  double lever_angle(double phi) const {
+    return std::atan2(distance + crank * std::sin(phi), crank * std::cos(phi));
+  }
+};
+
+/// The pin in the slot, without clearance.
+void join_pin_and_slot(Model& m, BodyId crank, const Vec2& pin, BodyId lever) {
+  m.add(PointOnLine{
+      .name = "slot", .a = crank, .at = pin, .b = lever, .through = {0.0, 0.0}, .along = pin});
+}
+
+Model quick_return_model(const QuickReturn& c) {
+  const Vec2 origin(0.0, 0.0), middle(0.0, c.distance),
+      pin = middle + rotate(c.start, {c.crank, 0.0});
+  const double theta = c.lever_angle(c.start);
+  const Vec2 tip = rotate(theta, {c.lever, 0.0});
+  const double drop = c.height() - tip.y();
+  const Vec2 head(tip.x() - std::sqrt(c.link * c.link - drop * drop), c.height());
+  Model m;
+  const auto bar = [&](const char* name, double mass, const Vec2& from, const Vec2& to) {
+    const Vec2 way = to - from;
+    return m.add(Body{.name = name,
+                      .mass = mass,
+                      .inertia = mass * way.squaredNorm() / 12.0,
+                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())}});
+  };
+  const BodyId crank = bar("crank", 1.0, middle, pin), lever = bar("lever", 3.0, origin, tip),
+               link = bar("link", 1.0, head, tip);
+  const BodyId ram = m.add(Body{.name = "ram", .mass = 5.0, .inertia = 0.05, .pose = {head, 0.0}});
+  m.add(Revolute{.name = "crank pivot", .a = ground, .b = crank, .at = middle});
+  m.add(Revolute{.name = "lever pivot", .a = ground, .b = lever, .at = origin});
+  join_pin_and_slot(m, crank, pin, lever);
+  m.add(Revolute{.name = "tip", .a = lever, .b = link, .at = tip});
+  m.add(Revolute{.name = "ram pin", .a = link, .b = ram, .at = head});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = ram, .along = {1.0, 0.0}});
+  m.add(Gravity{});
+  m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(c.start, c.omega)});
+  return m;
+}
+
+std::vector<Check> quick_return_checks(const QuickReturn& c, const Result& run) {
+  const double beta = c.swing();
+  std::vector<Check> checks = {
+      deviation_check("angle of the lever off by", run, "lever.angle_rad", "rad", "closed form",
+                      [&, t = run["t_s"]](std::size_t i) {
+                        return c.lever_angle(c.start + c.omega * t[static_cast<Eigen::Index>(i)]);
+                      })};
+  // The ram works while the lever's angle grows.
+  const std::vector<double> right = rising_times(run, "lever.omega_rad_per_s",
+                                                 "lever.alpha_rad_per_s2"),
+                            left = falling_times(run, "lever.omega_rad_per_s",
+                                                 "lever.alpha_rad_per_s2");
+  if (left.size() >= 2 && !right.empty()) {
+    checks.push_back({.what = "time of work over time of return",
+                      .value = (left[1] - right[0]) / (right[0] - left[0]),
+                      .expected = (pi + 2.0 * beta) / (pi - 2.0 * beta),
+                      .tolerance = 1e-6 + interpolation_error(run, 2.0 * pi / c.omega),
+                      .remark = "closed form"});
+    // The ends of the stroke lie between rows.
+    const Eigen::VectorXd x = run["ram.x_m"], t = run["t_s"];
+    const double h = t[1] - t[0],
+                 between = 0.25 * h * h * run["ram.ax_m_per_s2"].cwiseAbs().maxCoeff();
+    checks.push_back({.what = "stroke",
+                      .value = 1e3 * (x.maxCoeff() - x.minCoeff()),
+                      .expected = 2e3 * c.lever * std::sin(beta),
+                      .unit = "mm",
+                      .tolerance = 1e3 * (between + tolerance_of(run, c.lever)),
+                      .remark = "closed form"});
+  }
+  checks.push_back(energy_check(run));
+  return checks;
+}
+
+}  // namespace
+
+Case quick_return_case() {
+  return {
+      .name = "quick_return",
+      .group = "linkages",
+      .description = "Whitworth's quick return: a crank's pin in a slotted lever moves a ram",
+      .parameters = {{.name = "crank",
+                      .quantity = Quantity::length,
+                      .default_text = "100mm",
+                      .low = 1.0_mm,
+                      .high = 10000.0_mm,
+                      .description = "pivot to pin, shorter than the distance"},
+                     {.name = "distance",
+                      .quantity = Quantity::length,
+                      .default_text = "200mm",
+                      .low = 1.0_mm,
+                      .high = 10000.0_mm,
+                      .description = "of the pivots of crank and lever"},
+                     {.name = "lever",
+                      .quantity = Quantity::length,
+                      .default_text = "500mm",
+                      .low = 1.0_mm,
+                      .high = 20000.0_mm,
+                      .description = "pivot to tip"},
+                     {.name = "link",
+                      .quantity = Quantity::length,
+                      .default_text = "300mm",
+                      .low = 1.0_mm,
+                      .high = 20000.0_mm,
+                      .description = "tip of the lever to the ram"},
+                     {.name = "speed",
+                      .quantity = Quantity::number,
+                      .default_text = "60",
+                      .low = 1e-3,
+                      .high = 1e5,
+                      .description = "of the crank, in revolutions per minute"},
+                     {.name = "turns",
+                      .quantity = Quantity::number,
+                      .default_text = "2",
+                      .low = 0.01,
+                      .high = 10000.0,
+                      .description = "of the crank"}},
+      .default_output = "results/quick_return",
+      .model = [](const Parameters& p,
+                  const WallLaws&) { return quick_return_model(QuickReturn(p)); },
+      .duration = [](const Parameters& p) { return p.number("turns") * 60.0 / p.number("speed"); },
+      .checks = [](const Parameters& p, const Model&,
+                   const Result& run) { return quick_return_checks(QuickReturn(p), run); },
+      .paths = {"crank", "lever", "link", "ram"}};
+}
+
+}  // namespace yoke::cases
