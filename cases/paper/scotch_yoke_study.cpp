@@ -107,7 +107,7 @@ double largest_in(const Revolution& r, const Column& values, double from, double
 
 /// Stiffness [N/m] of the outer wall's elastic law under a force.
 double stiffness_at(const ScotchYoke& choices, std::string_view law, double force) {
-  const ElasticLaw& elastic = scotch_yoke_laws(choices, law).outer.elastic;
+  const ElasticLaw elastic = scotch_yoke_laws(choices, law).outer->elastic;
   return elastic.response(elastic.penetration_at(force)).stiffness;
 }
 
@@ -509,8 +509,8 @@ void print_johnson(Study& s) {
   for (const auto& [name, fit, law] :
        {std::tuple{"as printed; L = 1 mm", "table11-johnson", "johnson"},
         std::tuple{"K times 10; L = 10 mm", "table11-johnson-10mm", "johnson-10mm"}}) {
-    const ElasticLaw f = scotch_yoke_laws(s.choices, fit).outer.elastic,
-                     j = scotch_yoke_laws(s.choices, law).outer.elastic;
+    const ElasticLaw f = scotch_yoke_laws(s.choices, fit).outer->elastic,
+                     j = scotch_yoke_laws(s.choices, law).outer->elastic;
     Texts row{name};
     for (const double load : {10.0, 100.0, 1000.0})
       row.push_back(fmt::format("{:+.1f} %",

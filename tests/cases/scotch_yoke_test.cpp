@@ -117,7 +117,7 @@ TEST_SUITE("scotch-yoke") {
   TEST_CASE("contact length multiplies the table and lengthens Johnson's cylinder") {
     const auto force = [](const Settings& settings, std::string_view law) {
       const ScotchYoke choices = choices_with(settings);
-      return scotch_yoke_laws(choices, law).outer.elastic.response(20.0_um).force;
+      return scotch_yoke_laws(choices, law).outer->elastic.response(20.0_um).force;
     };
     const double fit = force({}, "table11-johnson"), exact = force({}, "johnson");
     CHECK(fit == doctest::Approx(4.907e4 * std::pow(0.020, 1.10)));
