@@ -17,8 +17,8 @@
 //            \ |
 //              F foot
 //
-// What should happen. The foot goes round a path that is flat below: almost half of the time it moves
-// along the ground, then it is lifted and swings back quickly.
+// What should happen. The foot goes round a path that is flat below: almost half of the time it
+// moves along the ground, then it is lifted and swings back quickly.
 #include <cmath>
 
 #include <yoke/cases/case.hpp>

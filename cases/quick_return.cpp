@@ -19,7 +19,8 @@
 // below M, where it is nearer to O:
 //
 //   lever angle  theta = atan2(distance + r sin(phi), r cos(phi))
-//   stroke       2 lever sin(beta)
+//   stroke       2 lever sin(beta), if the link is flatter than the lever at the ends; else the ram
+//                turns back before the lever does, and goes a little farther
 //   time ratio   (180 deg + 2 beta) / (180 deg - 2 beta), work to return
 //
 // What should happen. Twice the time for the stroke as for the return (crank 100 mm, distance
@@ -67,6 +68,11 @@ struct QuickReturn {
 
   double swing() const { return std::asin(crank / distance); }  // beta
   double height() const { return 0.5 * lever * (1.0 + std::cos(swing())); }
+  /// Whether the ram turns where the lever turns.
+  bool turns_with_lever() const {
+    const double drop = height() - lever * std::cos(swing());  // of the tip, at the ends
+    return drop / std::sqrt(link * link - drop * drop) < 1.0 / std::tan(swing());
+  }
   double lever_angle(double phi) const {
     return std::atan2(distance + crank * std::sin(phi), crank * std::cos(phi));
   }
@@ -114,7 +120,7 @@ std::vector<Check> quick_return_checks(const QuickReturn& c, const Result& run) 
                       [&, t = run["t_s"]](std::size_t i) {
                         return c.lever_angle(c.start + c.omega * t[static_cast<Eigen::Index>(i)]);
                       })};
-  // The ram works while the lever's angle grows.
+  // The lever works while its angle grows.
   const std::vector<double> right = rising_times(run, "lever.omega_rad_per_s",
                                                  "lever.alpha_rad_per_s2"),
                             left = falling_times(run, "lever.omega_rad_per_s",
@@ -125,6 +131,8 @@ std::vector<Check> quick_return_checks(const QuickReturn& c, const Result& run) 
                       .expected = (pi + 2.0 * beta) / (pi - 2.0 * beta),
                       .tolerance = 1e-6 + interpolation_error(run, 2.0 * pi / c.omega),
                       .remark = "closed form"});
+  }
+  if (left.size() >= 2 && c.turns_with_lever()) {
     // The ends of the stroke lie between rows.
     const Eigen::VectorXd x = run["ram.x_m"], t = run["t_s"];
     const double h = t[1] - t[0],

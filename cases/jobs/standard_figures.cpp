@@ -113,6 +113,23 @@ Texts joints_of(const Table& samples, bool moment) {
   });
 }
 
+/// Where equations are dependent for an instant, reactions that are not unique grow without bound
+/// close by and would hide all others: the axis then ends at twice what 99 % of the rows stay below.
+double force_top_of(const LawRun& run, const Texts& joints) {
+  if (run.summary.singular_positions.empty() || joints.empty()) return 0.0;
+  std::vector<double> most(run.samples.rows(), 0.0);  // of all joints
+  for (const std::string& joint : joints) {
+    const auto fx = run.samples[joint + ".fx_N"], fy = run.samples[joint + ".fy_N"];
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      most[i] = std::max(most[i], std::hypot(fx[row], fy[row]));
+    }
+  }
+  std::ranges::sort(most);
+  const double usual = most[(most.size() - 1) * 99 / 100];
+  return most.back() > 4.0 * usual ? 2.0 * usual : 0.0;
+}
+
 constexpr std::array body_quantities = {"x_m",        "y_m",        "angle_rad",
                                         "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s"};
 
@@ -237,14 +254,15 @@ double panel_height(std::size_t panels) {
 struct Panel {
   std::string label;  // "[m]"
   Texts lines;
-  Texts names{};  // of the lines, if other panels may have the same
+  Texts names{};     // of the lines, if other panels may have the same
+  double top = 0.0;  // of an axis that starts at 0; 0: chosen by the lines
 };
 
 /// `legend`: lines are named beside the panels, once if they are the same in all; else each panel
 /// names its own inside.
 std::string panels(const std::string& title, const std::vector<Panel>& all, bool legend) {
   std::string body = fmt::format(
-      "  set multiplot layout {},1 margins 0.1,{},{:.4g},{:.4g} spacing 0,0.02 title {} noenhanced\n"
+      "  set multiplot layout {},1 margins 0.11,{},{:.4g},{:.4g} spacing 0,0.02 title {} noenhanced\n"
       "  set key noenhanced; set xtics format ''; unset xlabel; set autoscale xfix\n",
       all.size(), legend ? 0.8 : 0.97, bottom_margin / panel_height(all.size()),
       1.0 - top_margin / panel_height(all.size()), gnuplot_text(title));
@@ -253,7 +271,8 @@ std::string panels(const std::string& title, const std::vector<Panel>& all, bool
     if (i + 1 == all.size()) body += fmt::format("  set xtics format '%g'\n{}", time_axis);
     if (legend && i > 0 && all[i].names == all[i - 1].names) body += "  unset key\n";
     body += fmt::format("  set ylabel {} noenhanced\n", gnuplot_text(all[i].label)) +
-            plot(all[i].lines);
+            (all[i].top > 0.0 ? fmt::format("  set yrange [0:{:.3g}]\n", all[i].top) : "") +
+            plot(all[i].lines) + (all[i].top > 0.0 ? "  set autoscale y\n" : "");
   }
   return body + "  unset multiplot";
 }
@@ -370,6 +389,7 @@ DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts&
   drawn.paths = paths;
   drawn.forces = joints_of(run.samples, false);
   drawn.moments = joints_of(run.samples, true);
+  drawn.force_top = force_top_of(run, drawn.forces);
   drawn.energies = energies_of(run.samples);
   write_motion(run.samples, drawn, folder / data_file("motion", drawn));
   if (!paths.empty())
@@ -408,7 +428,8 @@ std::vector<Figure> standard_figures(const std::string& case_name,
       panel.lines.push_back(line(data_file("motion", first), names[i] + column, names[i], i));
     reactions.push_back(panel);
   };
-  joints(first.forces, "force [N]", ".force_N");
+  joints(first.forces, first.force_top > 0.0 ? "force [N], peaks cut" : "force [N]", ".force_N");
+  if (!reactions.empty()) reactions.back().top = first.force_top;
   joints(first.moments, "moment [N m]", ".moment_N_m");
   if (!reactions.empty()) add("reactions", "reactions of the joints", reactions);
   figures.push_back(energy_figure(first, title("energy")));

@@ -19,8 +19,9 @@ struct DrawnRun {
   std::string law, folder;
   std::vector<ContactRecord> contacts{};
   std::vector<std::string> bodies{};
-  std::vector<std::string> paths{};              // bodies whose path is drawn
-  double path_aspect = 1.0;                      // height over width of all paths
+  std::vector<std::string> paths{};  // bodies whose path is drawn
+  double force_top = 0.0;            // [N] end of the axis of reactions; 0: as high as they are
+  double path_aspect = 1.0;          // height over width of all paths
   std::vector<std::string> forces{}, moments{};  // joints that carry a force, a moment
   std::vector<std::string> energies{};           // terms of the ledger: "kinetic"
 };

@@ -137,6 +137,17 @@ TEST_SUITE("linkages") {
     CHECK(x.maxCoeff() - x.minCoeff() == doctest::Approx(0.5).epsilon(1e-5));
   }
 
+  TEST_CASE("quick return: a steep link turns the ram back before the lever") {
+    // 2 lever sin(beta) = 900 mm; by the way back of the ram the short link makes it longer.
+    const auto stroke = [](const CaseRun& run) {
+      const Eigen::VectorXd x = run.result["ram.x_m"];
+      return x.maxCoeff() - x.minCoeff();
+    };
+    CHECK(stroke(run_of("quick_return", {"crank=180mm", "link=800mm"}, 4001)) ==
+          doctest::Approx(0.9).epsilon(1e-4));
+    CHECK(stroke(run_of("quick_return", {"crank=180mm"}, 4001)) > 0.9001);
+  }
+
   TEST_CASE("quick return: dimensions that do not fit are refused") {
     const auto refused = [](const std::vector<std::string>& settings) {
       const Case& c = find_case("quick_return");

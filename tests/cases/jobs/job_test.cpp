@@ -128,6 +128,72 @@ TEST_SUITE("job") {
     CHECK(header == "t_s,a.normal_force_N,a.penetration_um,b.normal_force_N,b.penetration_um");
   }
 
+  TEST_CASE("a check outside its tolerance is written as such, the run completes all the same") {
+    const yoke::tests::TemporaryFolder scratch;
+    Case c = marbles();
+    c.checks = [](const Parameters& p, const Model& m, const Result& run) {
+      return std::vector<Check>{
+          {.what = "end",
+           .value = run["t_s"].tail(1)[0],
+           .expected = 2.0 * p.number("duration"),
+           .unit = "s",
+           .tolerance = 1e-3,
+           .remark = "too long"},
+          {.what = "bodies", .value = static_cast<double>(m.body_count()), .expected = 2.0}};
+    };
+    RunRequest request = request_for(c, scratch / "out", {});
+    REQUIRE(run_case(c, request) == RunStatus::completed);
+    const auto checks =
+        nlohmann::json::parse(yoke::tests::content(scratch / "out/linear/summary.json"))["checks"];
+    REQUIRE(checks.size() == 2);
+    CHECK(checks[0]["within"] == false);
+    CHECK(checks[0]["value"] == 0.02);
+    CHECK(checks[0]["expected"] == 0.04);
+    CHECK(checks[0]["tolerance"] == 1e-3);
+    CHECK(checks[0]["remark"] == "too long");
+    CHECK(checks[1]["within"] == true);
+    // Without rows there is nothing to look at.
+    request.samples = 0;
+    request.output = scratch / "none";
+    REQUIRE(run_case(c, request) == RunStatus::completed);
+    CHECK_FALSE(nlohmann::json::parse(yoke::tests::content(scratch / "none/linear/summary.json"))
+                    .contains("checks"));
+  }
+
+  TEST_CASE("paths that a case names are drawn, y over x on one scale") {
+    const yoke::tests::TemporaryFolder scratch;
+    Case c = marbles();
+    c.paths = {"b marble"};
+    RunRequest request = request_for(c, scratch / "out", {});
+    request.plots = true;
+    REQUIRE(run_case(c, request) == RunStatus::completed);
+    const fs::path plots = scratch / "out/plots";
+    CHECK(!fs::exists(plots / "path.log"));
+    CHECK(yoke::tests::contains(yoke::tests::content(plots / "path.gp"), "set size ratio -1"));
+    std::ifstream data(plots / "path-linear.csv");
+    std::string header, first;
+    std::getline(data, header);
+    std::getline(data, first);
+    CHECK(header == "t_s,b marble.x_m,b marble.y_m");
+    CHECK(first == "0,0.2,-0.06");
+  }
+
+  TEST_CASE("reactions that grow without bound at singular positions do not hide the others") {
+    const yoke::tests::TemporaryFolder scratch;
+    for (const char* name : {"parallelogram", "n_four_bar"}) {
+      const Case& c = find_case(name);
+      RunRequest request = request_for(c, scratch / name, {});
+      request.samples = 4001;
+      request.plots = true;
+      REQUIRE(run_case(c, request) == RunStatus::completed);
+      const std::string script = yoke::tests::content(scratch / name / "plots/reactions.gp");
+      // Redundant cranks share the load in many ways; the four-bar's reactions are unique.
+      const bool cut = c.name == "parallelogram";
+      CHECK(yoke::tests::contains(script, "peaks cut") == cut);
+      CHECK(yoke::tests::contains(script, "set yrange [0:") == cut);
+    }
+  }
+
   TEST_CASE("a case without contacts runs into its folder") {
     const yoke::tests::TemporaryFolder scratch;
     const Case& c = find_case("point_pendulum");

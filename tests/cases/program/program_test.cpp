@@ -121,6 +121,30 @@ TEST_SUITE("program") {
     }
   }
 
+  TEST_CASE("a run ends with its checks, law by law where there are laws") {
+    const TemporaryFolder scratch;
+    const Outcome pendulum =
+        yoke(scratch, "run point_pendulum -o out --no-plots --set duration=6 --rtol 1e-9");
+    CHECK(pendulum.code == 0);
+    CHECK(contains(pendulum.out, "\ncheck: period 2.3678419"));
+    CHECK(contains(pendulum.out, ", expected 2.36784195 s within"));
+    CHECK(contains(pendulum.out, "\ncheck: imbalance of the energy "));
+    CHECK_FALSE(contains(pendulum.out, "OUTSIDE"));
+    const auto checks = nlohmann::json::parse(content(scratch / "out/summary.json"))["checks"];
+    REQUIRE(checks.size() == 2);
+    CHECK(checks[1]["what"] == "period");
+    CHECK(checks[1]["unit"] == "s");
+    CHECK(checks[1]["within"] == true);
+    CHECK(std::abs(checks[1]["value"].get<double>() - checks[1]["expected"].get<double>()) <
+          checks[1]["tolerance"].get<double>());
+
+    const Outcome laws = yoke(scratch,
+                              "run scotch_yoke -o laws --no-plots --samples 201 --law "
+                              "johnson --law johnson-10mm --set revolutions=0.1");
+    CHECK(contains(laws.out, "\ncheck: johnson: slider farther from"));
+    CHECK(contains(laws.out, "\ncheck: johnson-10mm: imbalance of the energy"));
+  }
+
   TEST_CASE("the same run gives the same bytes, on one thread or two") {
     const TemporaryFolder scratch;
     const std::string run = "run scotch_yoke --samples 201 --set revolutions=0.3 --no-plots -o ";
