@@ -40,7 +40,7 @@ double rebound(const AnyContact& contact, const Vec2& near, const ContactLaw& la
                              .pose = {start, 0.3},
                              .twist = {0.2 * n, 0.0}});
   m.insert(contact.build(m, disc, ground, start, law));
-  const Result run = simulate(m, {.until = 3e-3, .relative_tolerance = 1e-10, .samples = 2});
+  const Result run = simulate(m, {.until = 3e-3, .relative_tolerance = 1e-12, .samples = 2});
   INFO(run.summary.reason);
   CHECK(run.summary.ok());
   CHECK(run.summary.energy_balance < allowed_imbalance(run.summary, 0.1));
