@@ -18,7 +18,9 @@
 //                largest penetration (`reload`), which is compression again.
 //   region       in contact, when the point of contact passes into the next region.
 //   closest      apart, at the deepest or nearest point of an approach (d' = 0): no transition,
-//                but a touch that began and ended within one step is detected and located.
+//                but a touch that began and ended within one step is detected and located. A step
+//                may hold more, from a release to beyond the next touch: those of a contact that is
+//                apart are looked into (may_hide).
 //   kink         where the law declares a corner of its formula: the integrator restarts.
 //   fullest      lifted (below), where the law's force is largest over d: no transition, but a
 //                force that appeared and vanished within one step is detected.
@@ -98,6 +100,7 @@ class ContactElement final : public ForceElement {
     event_count
   };
   int events() const override { return event_count; }
+  bool may_hide(int event) const override { return event == onset || event == forget; }
   void calc_events(const ForceInput& in, double* g) const override;
   void handle_event(int event, EventContext& context) const override;
 

@@ -31,11 +31,13 @@ bool ContactElement::leaves_band(const ForceInput& in, const Approach& now) cons
 }
 
 /// [m] How far above `end` the next onset is, so that its function is negative now: a function that
-/// is zero would not be seen to cross it, and the whole flight may be one step.
+/// is zero would not be seen to cross it, and the whole flight may be one step. One that is negative by
+/// rounding alone is no better: the next look may find it positive.
 double ContactElement::margin(const ForceInput& in, const Approach& now, double end) const {
   const double beyond = std::max(now.penetration - end, 0.0), band = touch(in);
+  const double least = smallest_margin * band;
   if (!(now.rate < 0.0 && leaves_band(in, now))) return beyond + band;
-  return now.penetration < end ? 0.0 : beyond + smallest_margin * band;
+  return now.penetration < end - least ? 0.0 : beyond + least;
 }
 
 /// The region whose formula counts: the one touched or remembered, else the nearest.

@@ -152,6 +152,10 @@ class ForceElement {
   /// True if a handled event must not fire again before its function has been negative; false if
   /// the element ensures this itself, as contacts do with a margin.
   virtual bool events_settle() const { return false; }
+  /// Whether steps are looked into for a slot, because its function may be positive within one and
+  /// at neither end. For elements with contacts only while these are apart, when nothing else keeps
+  /// steps short.
+  virtual bool may_hide(int /*slot*/) const { return contacts() == 0; }
   /// Distinguishes elements of one kind whose evaluate() returns the same; part of the fingerprint
   /// of a model.
   virtual std::string signature() const { return {}; }

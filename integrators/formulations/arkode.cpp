@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace yoke {
@@ -22,9 +21,6 @@ namespace {
 
 constexpr int max_error_test_failures = 30;
 constexpr ARKODE_ERKTableID tableau = ARKODE_DORMAND_PRINCE_7_4_5;
-constexpr int max_polish_iterations = 6;
-// Of the step: secant steps converge with order 1.6, so the next one would move by 1e-11 of it.
-constexpr double polished = 1e-7;
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
 
@@ -44,26 +40,15 @@ class Arkode final : public SundialsStepper {
   static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
   static int project(sunrealtype t, N_Vector y, void* self);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
-  bool calc_rates(double t, const double* y, double* y_dot);
+  bool calc_rates(double t, const double* y, double* y_dot) override;
   bool project(double t, double* y);
-  /// y at a time inside the last step, by a step of our own from where it began.
-  bool substep(double t);
-  double calc_event(int slot, double t);
-  void polish_root();
   void create(double t);
-  void end_step();
   void rebase();
 
   bool projects_;
   Baumgarte stabilisation_;
   void* memory_ = nullptr;
-  ARKodeButcherTable table_ = nullptr;
-  std::vector<double> begin_, end_, stage_;  // y where the last step began and ended
-  std::vector<std::vector<double>> k_;       // rates of the stages of substep()
-  std::vector<double> g_;
   std::vector<double> before_projection_;
-  double t_begin_ = 0.0, t_end_ = 0.0;
-  bool first_rate_known_ = false;
   bool base_is_far_ = false;
 };
 
@@ -71,18 +56,12 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
     : SundialsStepper(dynamics, tolerances,
                       2 * dynamics.system().dofs() + dynamics.system().states(), one_step),
       projects_(projects),
-      stabilisation_(critically_damped(tolerances)),
-      table_(ARKodeButcherTable_LoadERK(tableau)) {
-  begin_.assign(static_cast<std::size_t>(size_), 0.0);
-  end_ = stage_ = begin_;
-  k_.assign(static_cast<std::size_t>(table_->stages), begin_);
-  g_.assign(found_.size(), 0.0);
+      stabilisation_(critically_damped(tolerances)) {
   before_projection_ = q_start_;
 }
 
 Arkode::~Arkode() {
   if (memory_ != nullptr) ARKodeFree(&memory_);
-  ARKodeButcherTable_Free(table_);
 }
 
 void Arkode::create(double t) {
@@ -126,31 +105,26 @@ void Arkode::rebase() {
   t_stop_ = t_end_;  // it has forgotten that too
 }
 
-void Arkode::end_step() {
-  std::copy_n(y(), size_, end_.begin());
-  t_end_ = t_;
-}
-
 Step Arkode::step(double t_stop) {
   if (base_is_far_) rebase();
   if (t_stop != t_stop_) {
     ARKodeSetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
   }
-  std::swap(begin_, end_);
-  const double t_begin_before = std::exchange(t_begin_, t_end_);
-  first_rate_known_ = false;
+  begin_step();
   const int flag = ARKodeEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
   if (flag < 0) {
-    std::swap(begin_, end_);  // the last good step stays the one to interpolate
-    t_begin_ = t_begin_before;
+    undo_step();  // the last good step stays the one to interpolate
     ARKodeGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
   end_step();
   if (flag == ARK_ROOT_RETURN) {
     ARKodeGetRootInfo(memory_, found_.data());
-    polish_root();
+    double t_limit = t_;
+    ARKodeGetCurrentTime(memory_, &t_limit);
+    refine_event(t_limit);
+    end_step();
     collect_events();
     return Step::event;
   }
@@ -165,63 +139,10 @@ double Arkode::last_step() const {
   return h;
 }
 
-bool Arkode::substep(double t) {
-  const double h = t - t_begin_;
-  const auto combine = [&](const double* weights, int count) {
-    for (std::size_t i = 0; i < stage_.size(); ++i) {
-      double sum = 0.0;
-      for (int j = 0; j < count; ++j) sum += weights[j] * k_[static_cast<std::size_t>(j)][i];
-      stage_[i] = begin_[i] + h * sum;
-    }
-  };
-  if (!first_rate_known_) first_rate_known_ = calc_rates(t_begin_, begin_.data(), k_[0].data());
-  if (!first_rate_known_) return false;
-  int needed = table_->stages;
-  while (table_->b[needed - 1] == 0.0) --needed;  // first same as last
-  for (int i = 1; i < needed; ++i) {
-    combine(table_->A[i], i);
-    if (!calc_rates(t_begin_ + table_->c[i] * h, stage_.data(),
-                    k_[static_cast<std::size_t>(i)].data()))
-      return false;
-  }
-  combine(table_->b, needed);
-  std::copy(stage_.begin(), stage_.end(), y());
-  return true;
-}
-
-double Arkode::calc_event(int slot, double t) {
-  if (!substep(t) || !evaluate_events(t, y(), g_.data()))
-    return std::numeric_limits<double>::quiet_NaN();
-  return g_[static_cast<std::size_t>(slot)];
-}
-
-// Secant steps from the root of the dense output; what does not converge nearby is left alone.
-void Arkode::polish_root() {
-  const auto slot = static_cast<int>(std::ranges::find(found_, 1) - found_.begin());
-  if (slot == guard_.count()) return;
-  const double h = t_ - t_begin_, close_enough = polished * h;
-  double t_limit = t_;
-  ARKodeGetCurrentTime(memory_, &t_limit);
-  double t_last = t_ - 1e-3 * h, g_last = calc_event(slot, t_last);
-  double t = t_, g = calc_event(slot, t);
-  for (int i = 0; i < max_polish_iterations && g != g_last; ++i) {
-    const double t_next = t - g * (t - t_last) / (g - g_last);
-    if (!(std::abs(t_next - t_) < 0.1 * h && t_next <= t_limit)) break;  // NaN too
-    t_last = std::exchange(t, t_next);
-    if (std::abs(t - t_last) <= close_enough) {
-      t_ = t;
-      break;
-    }
-    g_last = std::exchange(g, calc_event(slot, t));
-  }
-  if (!substep(t_)) ARKodeGetDky(memory_, t_, 0, y_);
-  end_step();
-}
-
 void Arkode::interpolate(double t, State& state) {
   if (t == t_end_) {
     std::copy_n(end_.begin(), size_, y());
-  } else if (!substep(t)) {
+  } else if (!own_step_.to(t, y())) {
     ARKodeGetDky(memory_, t, 0, y_);
   }
   unpack(t, state);

@@ -61,7 +61,7 @@ class Cvode final : public SundialsStepper {
   static int project(sunrealtype t, N_Vector y, N_Vector correction, sunrealtype epsilon,
                      N_Vector error, void* self);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
-  bool calc_rates(double t, const double* y, double* y_dot);
+  bool calc_rates(double t, const double* y, double* y_dot) override;
   bool calc_linear_system(double t, const double* y, double gamma);
   void solve(const double* b, double* x);
   bool project(double t, const double* y, double* correction);
@@ -74,6 +74,7 @@ class Cvode final : public SundialsStepper {
   std::optional<Baumgarte> stabilisation_;       // that of Adams
   SUNNonlinearSolver fixed_point_ = nullptr;     // that of Adams
   void* memory_ = nullptr;
+  SundialsVector slope_;  // of the dense output
   std::vector<double> v_, a_, lambda_, x_, before_projection_;
   std::vector<double> G_;  // blocks at the point of the matrix
   double c_ = 1.0;
@@ -81,7 +82,8 @@ class Cvode final : public SundialsStepper {
 
 Cvode::Cvode(Dynamics& dynamics, const Tolerances& tolerances, Method method)
     : SundialsStepper(dynamics, tolerances,
-                      2 * dynamics.system().dofs() + dynamics.system().states(), multistep) {
+                      2 * dynamics.system().dofs() + dynamics.system().states(), multistep),
+      slope_(size_, context_, &groups_) {
   v_ = a_ = before_projection_ = q_start_;
   lambda_.assign(static_cast<std::size_t>(dynamics.system().rows()), 0.0);
   if (method == Method::adams_baumgarte) {
@@ -140,6 +142,7 @@ void Cvode::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;
+  end_step();
   guard_.start(state);
   if (memory_ == nullptr) {
     create(state.t);
@@ -156,17 +159,26 @@ Step Cvode::step(double t_stop) {
     CVodeSetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
   }
+  begin_step();
   const int flag = CVode(memory_, t_stop, y_, &t_, CV_ONE_STEP);
   // With the fixed-point iteration CVODE tries shorter steps even after an exception.
   if (flag < 0 || failure_.thrown) {
+    undo_step();
     CVodeGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
   if (flag == CV_ROOT_RETURN) {
     CVodeGetRootInfo(memory_, found_.data());
+    double t_limit = t_;
+    CVodeGetCurrentTime(memory_, &t_limit);
+    CVodeGetErrWeights(memory_, sensible_weights_);
+    CVodeGetDky(memory_, t_, 1, slope_);
+    refine_event_if_rough(t_limit, slope_.data());
+    end_step();
     collect_events();
     return Step::event;
   }
+  end_step();
   accept_step();
   return Step::advanced;
 }
@@ -178,7 +190,10 @@ double Cvode::last_step() const {
 }
 
 void Cvode::interpolate(double t, State& state) {
-  CVodeGetDky(memory_, t, 0, y_);
+  if (t == t_end_)
+    std::copy_n(end_.begin(), size_, y());
+  else
+    CVodeGetDky(memory_, t, 0, y_);
   unpack(t, state);
 }
 

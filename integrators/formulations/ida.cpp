@@ -46,6 +46,7 @@ class Ida final : public SundialsStepper {
                       SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector);
   static int events(sunrealtype t, N_Vector y, N_Vector y_dot, sunrealtype* g, void* self);
   LinearSolverCalls solver_calls() const;
+  bool calc_rates(double t, const double* y, double* y_dot) override;
   bool calc_residual(double t, const double* y, const double* y_dot, double* residual);
   void calc_jacobian(double t, double c, const double* y, const double* y_dot);
   void solve(const double* b, double* x);
@@ -65,7 +66,6 @@ class Ida final : public SundialsStepper {
   OwnLinearSolver solver_;
   void* memory_ = nullptr;
   SundialsVector y_dot_, scratch_;
-  SundialsVector sensible_weights_;  // within the floor of rounding
   std::vector<double> a_, lambda_, power_;
   double shift_ = 1.0;  // dR/dy' of the last Jacobian
   int steps_with_matrix_ = 0;
@@ -82,8 +82,7 @@ Ida::Ida(Dynamics& dynamics, const Tolerances& tolerances, std::unique_ptr<DaeEq
       rows_(dynamics.system().rows()),
       solver_(this, solver_calls(), context_),
       y_dot_(size_, context_, &groups_),
-      scratch_(size_, context_, &groups_),
-      sensible_weights_(size_, context_, &groups_) {
+      scratch_(size_, context_, &groups_) {
   if (norm == ErrorNorm::assemblies) groups_.tie(assemblies_of(dynamics.system()));
   power_.assign(static_cast<std::size_t>(quadratures_), 0.0);
   a_.assign(static_cast<std::size_t>(n_), 0.0);
@@ -154,6 +153,7 @@ void Ida::start(const State& state) {
   pack(state);
   t_ = state.t;
   t_stop_ = t_;
+  end_step();
   guard_.start(state);
   if (memory_ == nullptr) {
     create(state.t);
@@ -208,16 +208,24 @@ Step Ida::step(double t_stop) {
     IDASetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
   }
+  begin_step();
   const int flag = IDASolve(memory_, t_stop, &t_, y_, y_dot_, IDA_ONE_STEP);
   if (flag < 0) {
+    undo_step();
     IDAGetCurrentTime(memory_, &t_);
     return Step::failed;
   }
   if (flag == IDA_ROOT_RETURN) {
     IDAGetRootInfo(memory_, found_.data());
+    double t_limit = t_;
+    IDAGetCurrentTime(memory_, &t_limit);
+    IDAGetErrWeights(memory_, sensible_weights_);
+    refine_event_if_rough(t_limit, y_dot());
+    end_step();
     collect_events();
     return Step::event;
   }
+  end_step();
   refresh_matrix();
   IDAGetErrWeights(memory_, sensible_weights_);
   control_.accept(memory_, t_, sensible_weights_, scratch_);
@@ -243,7 +251,10 @@ double Ida::last_step() const {
 }
 
 void Ida::interpolate(double t, State& state) {
-  IDAGetDky(memory_, t, 0, y_);
+  if (t == t_end_)
+    std::copy_n(end_.begin(), size_, y());
+  else
+    IDAGetDky(memory_, t, 0, y_);
   unpack(t, state);
 }
 
@@ -269,6 +280,17 @@ int Ida::residual(sunrealtype t, N_Vector y, N_Vector y_dot, N_Vector r, void* s
     // 1: try a shorter step
     return me.calc_residual(t, NV_DATA_S(y), NV_DATA_S(y_dot), NV_DATA_S(r)) ? 0 : 1;
   });
+}
+
+// Multipliers are left as they are: events make them anew.
+bool Ida::calc_rates(double t, const double* y, double* y_dot) {
+  std::fill_n(y_dot, size_, 0.0);
+  std::copy_n(y + n_, n_, y_dot);
+  return dynamics_.calc_accelerations(
+      {.t = t, .q = q_of(y), .v = v_of(y), .z = z_of(y)},
+      {.a = y_dot + n_,
+       .z_dot = nz_ > 0 ? y_dot + 2 * n_ : nullptr,
+       .quadrature_rates = quadratures_ > 0 ? y_dot + energies_ : nullptr});
 }
 
 bool Ida::calc_residual(double t, const double* y, const double* y_dot, double* residual) {

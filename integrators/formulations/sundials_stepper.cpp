@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace yoke {
 
 namespace {
 constexpr std::size_t longest_message = 512;  // failures are not to allocate
 constexpr double far = 1e-3;                  // rounding of a displacement, of its tolerance
+constexpr int max_refinements = 6;
+constexpr double probe_of_root = 1e-3;  // of the step: how far back its function is looked at
+constexpr double refined = 1e-7;        // of the step: its square is nothing
+constexpr double nearby = 0.1;          // of the step
+constexpr double smooth = 0.1;          // misfit of a dense output, in tolerances
 }  // namespace
 
 SundialsStepper::SundialsStepper(Dynamics& dynamics, const Tolerances& tolerances, int energies,
@@ -26,11 +32,18 @@ SundialsStepper::SundialsStepper(Dynamics& dynamics, const Tolerances& tolerance
       context_(failure_),
       groups_{.dofs = n_, .states = nz_, .energies = quadratures_},
       y_(size_, context_, &groups_),
-      weights_(size_, context_, &groups_) {
+      weights_(size_, context_, &groups_),
+      sensible_weights_(size_, context_, &groups_),
+      own_step_(size_, [this](double t, const double* y,
+                              double* y_dot) { return calc_rates(t, y, y_dot); }),
+      error_(size_, context_, &groups_) {
   failure_.text.reserve(longest_message);
   found_.assign(static_cast<std::size_t>(guard_.count()), 0);
   q_start_.assign(static_cast<std::size_t>(n_), 0.0);
   q_ = q_low_ = q_start_;
+  begin_.assign(static_cast<std::size_t>(size_), 0.0);
+  end_ = shifted_ = refined_ = begin_;
+  g_.assign(found_.size(), 0.0);
 }
 
 double* SundialsStepper::q_of(const double* y) {
@@ -97,6 +110,68 @@ int SundialsStepper::calc_weights(N_Vector y_vector, N_Vector weights, void* use
   bound(2 * me.n_, me.nz_);
   bound(me.energies_, me.quadratures_);
   return 0;
+}
+
+void SundialsStepper::begin_step() {
+  std::swap(begin_, end_);
+  std::swap(t_begin_, t_end_);
+  own_step_.from(t_begin_, begin_.data());
+}
+
+void SundialsStepper::undo_step() { begin_step(); }
+
+void SundialsStepper::end_step() {
+  std::copy_n(y(), size_, end_.begin());
+  t_end_ = t_;
+}
+
+double SundialsStepper::norm_of(const double* error) {
+  std::copy_n(error, size_, error_.data());
+  return N_VWrmsNorm(error_, sensible_weights_);
+}
+
+/// [s] From where y is `refined_` and changes at `rate`, along a straight line.
+double SundialsStepper::time_to_root(int slot, const double* rate, double h) {
+  const auto value = [&](double later) {
+    for (std::size_t i = 0; i < shifted_.size(); ++i) shifted_[i] = refined_[i] + later * rate[i];
+    return evaluate_events(t_ + later, shifted_.data(), g_.data())
+               ? g_[static_cast<std::size_t>(slot)]
+               : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double back = probe_of_root * h, now = value(0.0), before = value(-back);
+  return -now * back / (now - before);
+}
+
+void SundialsStepper::refine_event(double t_limit) { refine_event(t_limit, {}); }
+
+void SundialsStepper::refine_event_if_rough(double t_limit, const double* slope) {
+  double* misfit = shifted_.data();
+  if (!calc_rates(t_, y(), misfit)) return;
+  for (std::size_t i = 0; i < shifted_.size(); ++i)
+    misfit[i] = (misfit[i] - slope[i]) * (t_ - t_begin_);
+  if (norm_of(misfit) <= smooth) return;
+  refine_event(t_limit, [this](const double* error) { return norm_of(error); });
+}
+
+// Newton steps from the root of the dense output.
+void SundialsStepper::refine_event(double t_limit, const OwnStep::Norm& norm) {
+  const auto slot = static_cast<int>(std::ranges::find(found_, 1) - found_.begin());
+  if (slot == guard_.count()) return;
+  const double t_found = t_, h = t_found - t_begin_;
+  for (int i = 0; i < max_refinements; ++i) {
+    own_step_.from(t_begin_, begin_.data());
+    if (!(norm ? own_step_.to(t_, refined_.data(), norm) : own_step_.to(t_, refined_.data())))
+      break;
+    const double* rate = own_step_.rate(t_, refined_.data());
+    if (rate == nullptr) break;
+    const double later = time_to_root(slot, rate, h), t = t_ + later;
+    if (!(std::abs(t - t_found) < nearby * h && t <= t_limit)) break;  // NaN too
+    t_ = t;
+    if (std::abs(later) > refined * h) continue;
+    for (std::size_t k = 0; k < refined_.size(); ++k) y()[k] = refined_[k] + later * rate[k];
+    return;
+  }
+  t_ = t_found;
 }
 
 void SundialsStepper::report_failed_projection() {

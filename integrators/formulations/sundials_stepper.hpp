@@ -9,10 +9,12 @@
 // restart makes its positions the base; a method of one step also moves the base as it goes.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <yoke/integrators/formulations/event_guard.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
+#include <yoke/integrators/formulations/own_step.hpp>
 #include <yoke/integrators/formulations/rounding_floor.hpp>
 #include <yoke/integrators/sundials/callback_failure.hpp>
 #include <yoke/integrators/sundials/context.hpp>
@@ -58,6 +60,20 @@ class SundialsStepper : public Formulation {
   /// Says which equation could not be satisfied.
   void report_failed_projection();
 
+  /// y' of the differential equations at t, y; false if accelerations cannot be computed.
+  virtual bool calc_rates(double t, const double* y, double* y_dot) = 0;
+  /// Around a step of the integrator: where it began and ended is kept. One that failed is undone.
+  void begin_step();
+  void undo_step();
+  void end_step();
+  /// After a root at t_: time and state there are computed anew by steps of our own from the
+  /// beginning of the integrator's step, which reached t_limit. What finds no root nearby changes
+  /// nothing.
+  void refine_event(double t_limit);
+  /// The same where the dense output, whose derivative is `slope`, does not agree with the equations
+  /// there, and in as many steps as it takes to keep the tolerances in sensible_weights_.
+  void refine_event_if_rough(double t_limit, const double* slope);
+
   /// SUNDIALS' user data is the stepper; `Derived` is what it was created as.
   template <class Derived>
   static Derived& from(void* user_data) {
@@ -78,15 +94,25 @@ class SundialsStepper : public Formulation {
   SundialsContext context_;
   ErrorGroups groups_;
   SundialsVector y_, weights_;
+  SundialsVector sensible_weights_;  // within the floor of rounding
   double t_ = 0.0;
-  double t_stop_ = 0.0;          // as the integrator knows it
-  std::vector<int> found_;       // [events]
-  StepCounters before_;          // of integrations before the last restart
-  std::vector<double> q_start_;  // the base, to double precision
+  double t_stop_ = 0.0;              // as the integrator knows it
+  std::vector<int> found_;           // [events]
+  StepCounters before_;              // of integrations before the last restart
+  std::vector<double> q_start_;      // the base, to double precision
+  std::vector<double> begin_, end_;  // y where the last step began and ended
+  double t_begin_ = 0.0, t_end_ = 0.0;
+  OwnStep own_step_;
 
  private:
-  std::vector<double> q_low_;  // what the base has beyond that
-  std::vector<double> q_;      // scratch
+  void refine_event(double t_limit, const OwnStep::Norm& norm);
+  double norm_of(const double* error);
+  double time_to_root(int slot, const double* rate, double h);
+
+  std::vector<double> shifted_, g_, refined_;  // scratch
+  std::vector<double> q_low_;                  // what the base has beyond that
+  std::vector<double> q_;                      // scratch
+  SundialsVector error_;                       // scratch
 };
 
 }  // namespace yoke

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr int golden_steps = 30;  // a part of 5e-7 of where it is looked for
+constexpr double steepest = 2.0;  // rise of a gap beyond a look, of that between looks
 constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of the function
 
 }  // namespace
@@ -22,14 +23,24 @@ constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of th
 EventLocator::EventLocator(System& system)
     : system_(system), values_(static_cast<std::size_t>(system.events()), 0.0) {
   fired_.reserve(values_.size());
-  for (const ForceSlot& f : system.forces()) {
-    if (f.element->contacts() > 0) continue;
-    for (int i = 0; i < f.element->events(); ++i) watched_.push_back({.slot = f.events + i});
-  }
+  for (const ForceSlot& f : system.forces())
+    for (int i = 0; i < f.element->events(); ++i)
+      if (f.element->may_hide(i))
+        watched_.push_back({.slot = f.events + i,
+                            .first_contact = f.contacts,
+                            .last_contact = f.contacts + f.element->contacts()});
 }
 
 void EventLocator::start(const State& state) {
-  if (watched_.empty()) return;
+  looks_ = false;
+  for (Watched& w : watched_) {
+    w.active = !w.of_contact();
+    for (int i = w.first_contact; i < w.last_contact; ++i)
+      w.active =
+          w.active || state.contacts[static_cast<std::size_t>(i)].phase == ContactPhase::apart;
+    looks_ = looks_ || w.active;
+  }
+  if (!looks_) return;
   calc(state);
   for (Watched& w : watched_) {
     w.seen.back() = values_[static_cast<std::size_t>(w.slot)];
@@ -44,7 +55,7 @@ double EventLocator::locate(Formulation& formulation, Step step, double from, St
   t_fired_ = nowhere;
   if (step == Step::event) locate_passed(formulation, from, scratch);
   const double to = formulation.time();
-  if (!watched_.empty() && to > from) look_inside(formulation, step, from, to, scratch);
+  if (looks_ && to > from) look_inside(formulation, step, from, to, scratch);
   return std::min(t_fired_, to);
 }
 
@@ -87,6 +98,7 @@ void EventLocator::look_inside(Formulation& formulation, Step step, double from,
     for (Watched& w : watched_) w.seen[i] = values_[static_cast<std::size_t>(w.slot)];
   }
   for (Watched& w : watched_) {
+    if (!w.active) continue;
     const bool known =
         step == Step::event && (std::ranges::count(formulation.fired(), w.slot) > 0 ||
                                 std::ranges::count(formulation.passed(), w.slot) > 0);
@@ -121,8 +133,10 @@ double EventLocator::first_crossing(Formulation& formulation, const Watched& w, 
 
 bool EventLocator::is_largest(const Watched& w, std::size_t i) {
   const double before = w.seen[i] - w.seen[i - 1], after = w.seen[i] - w.seen[i + 1];
-  const double some = flat * std::abs(w.seen[i]);
-  return before >= 0.0 && after >= 0.0 && std::max(before, after) > some;
+  const double rise = std::max(before, after);
+  // The gap of a contact is smooth: where it is wide, a maximum of rounding means nothing.
+  const double some = w.of_contact() ? std::abs(w.seen[i]) / steepest : flat * std::abs(w.seen[i]);
+  return before >= 0.0 && after >= 0.0 && rise > some;
 }
 
 /// [s] A time at which the function is not negative, by golden section for its maximum, which three

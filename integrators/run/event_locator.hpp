@@ -4,9 +4,9 @@
 // When the events of a step happen: at the root the formulation located, or earlier, where another
 // function crossed zero unnoticed because it came back within the step.
 //
-// A contact knows by itself when to look for such a touch. Functions of elements without contacts,
-// as a user's are, are looked at within every accepted step: at `looks`, and where a function is
-// larger than at the looks beside, at its maximum. So an excursion above zero that lasts longer
+// In contact the forces keep steps short. Functions of contacts that are apart, and of elements
+// without contacts, as a user's are, are looked at within every accepted step: at `looks`, and
+// where a function is larger than at the looks beside, at its maximum. So an excursion above zero that lasts longer
 // than `longest_gap` of the step is always found, a shorter one if the function rises to it and
 // falls behind it in the eyes of the looks. What is above zero at once after an event has to be
 // negative first, as in EventGuard.
@@ -38,6 +38,9 @@ class EventLocator {
                                                    7.0 / 8.0, 63.0 / 64.0, 1.0};
   struct Watched {
     int slot = 0;
+    int first_contact = 0, last_contact = 0;  // of its element, behind the last one
+    bool of_contact() const { return first_contact < last_contact; }
+    bool active = true;
     bool armed = false;
     std::array<double, looks.size()> seen{};
   };
@@ -60,6 +63,7 @@ class EventLocator {
   std::vector<Watched> watched_;
   std::vector<int> fired_;
   double t_fired_ = 0.0;
+  bool looks_ = false;  // anything is active
 };
 
 }  // namespace yoke

@@ -53,6 +53,8 @@ struct YokeOptions {
   double start_angle = -31.0_deg;  // [rad] whole turns may be added
   double alpha = 0.32;             // [s/m]
   Vec2 origin{0.0, 0.0};
+  double inner = 4.914e4, outer = 4.907e4;  // [N/mm^n] of the walls
+  double n = 1.10;
 };
 
 /// The paper's scotch-yoke with Johnson's column of Table 11 (outer and inner walls, caps).
@@ -83,7 +85,7 @@ inline Model scotch_yoke(const YokeOptions& o, const DissipativeLaw& dissipation
                                              .direction = pi,
                                              .angle = 120.0_deg,
                                              .half_width = 8.0_mm})},
-                  .law = {law(4.914e4, 1.10), law(4.907e4, 1.10), law(3.147e5, 1.28)}});
+                  .law = {law(o.inner, o.n), law(o.outer, o.n), law(3.147e5, 1.28)}});
   return m;
 }
 inline Model scotch_yoke(const YokeOptions& o = {}) {
