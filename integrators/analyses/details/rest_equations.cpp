@@ -23,7 +23,10 @@ std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Statics::Statics(const Model& model, const State& start, const EquilibriumOptions& options)
-    : dynamics_(model), system_(dynamics_.system()), state_(start) {
+    : dynamics_(model),
+      system_(dynamics_.system()),
+      state_(start),
+      load_factor_(options.load_factor) {
   state_.t = options.t;
   state_.v.setZero();
   if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
@@ -41,8 +44,9 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   choose_force();
 }
 
-void Statics::set_load(double share) {
-  for (std::size_t i = 0; i < share_.size(); ++i) share_[i] = is_load_[i] ? share : 1.0;
+void Statics::set_load(double part) {
+  for (std::size_t i = 0; i < share_.size(); ++i)
+    share_[i] = is_load_[i] ? part * load_factor_ : 1.0;
 }
 
 Vector Statics::unknowns() const {
@@ -85,7 +89,7 @@ bool Statics::residual(const Vector& x, Vector& F) {
   return F.allFinite();
 }
 
-bool Statics::factorise(const Vector& x, double inertia) {
+const Tangent::Matrix& Statics::calc_matrix(const Vector& x, double inertia) {
   set(x);
   const Tangent t = calc_tangent(system_, state_, share_);
   std::vector<Eigen::Triplet<double>> entries;
@@ -114,6 +118,11 @@ bool Statics::factorise(const Vector& x, double inertia) {
   matrix_.resize(l + rows_, l + rows_);
   matrix_.setFromTriplets(entries.begin(), entries.end());
   if (inertia > 0.0) add_inertia(inertia);
+  return matrix_;
+}
+
+bool Statics::factorise(const Vector& x, double inertia) {
+  calc_matrix(x, inertia);
   lu_.compute(matrix_);
   if (lu_.info() == Eigen::Success) return true;
   add_inertia(regularisation);
@@ -286,6 +295,7 @@ void Statics::choose_loads(const Model& model, const EquilibriumOptions& options
                                  options.loads.end());
   }
   share_.assign(is_load_.size(), 1.0);
+  set_load(1.0);
 }
 
 void Statics::choose_force() {

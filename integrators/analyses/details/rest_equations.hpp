@@ -7,6 +7,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,16 @@ class Statics {
 
   Dynamics& dynamics() { return dynamics_; }
   const State& state() const { return state_; }
+  /// Starts from the z and multipliers of a state at rest that was found before.
+  void set_rest(const State& rest) { state_.z = rest.z, state_.lambda = rest.lambda; }
   bool has_loads() const { return std::ranges::find(is_load_, true) != is_load_.end(); }
-  void set_load(double share);
+  /// The loads act multiplied by this part of their load_factor.
+  void set_load(double part);
+  /// [forces] what each force is multiplied by.
+  std::span<const double> share() const { return share_; }
+  void set_parameter(std::size_t index, double value) { state_.parameters[index] = value; }
 
+  Eigen::Index positions() const { return n_; }  ///< the first of the unknowns
   Vector unknowns() const;
   void set(const Vector& x);
 
@@ -36,6 +44,8 @@ class Statics {
   bool residual(const Vector& x, Vector& F);
 
   /// dF/dx at x, with `inertia` [scaled] taken off the diagonal of the forces.
+  const Tangent::Matrix& calc_matrix(const Vector& x, double inertia = 0.0);
+  /// Its factors.
   bool factorise(const Vector& x, double inertia = 0.0);
   bool solve(Vector& b);
   void multiply(const Vector& x, Vector& Jx) const { Jx = matrix_ * x; }
@@ -102,7 +112,7 @@ class Statics {
   State state_;
   Vector start_;
   Eigen::Index n_ = 0, nz_ = 0, rows_ = 0;
-  double length_ = 1.0, force_ = 1.0;
+  double length_ = 1.0, force_ = 1.0, load_factor_ = 1.0;
   std::vector<double> metric_;  // [n] of masses
   std::vector<bool> is_load_;
   std::vector<double> share_;
