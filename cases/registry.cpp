@@ -19,12 +19,13 @@ Case point_pendulum_case();
 Case double_pendulum_case();
 Case andrews_case();
 Case car_axis_case();
+Case truss_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
-      scotch_yoke_case(),     n_four_bar_case(),    parallelogram_case(),
-      slider_crank_case(),    hanging_chain_case(), point_pendulum_case(),
-      double_pendulum_case(), andrews_case(),       car_axis_case(),
+      scotch_yoke_case(),   n_four_bar_case(),     parallelogram_case(),   slider_crank_case(),
+      hanging_chain_case(), point_pendulum_case(), double_pendulum_case(), andrews_case(),
+      car_axis_case(),      truss_case(),
   };
   return cases;
 }

@@ -143,7 +143,7 @@ class Solver {
                                  statics_.farthest_body()));
   }
 
-  // M dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
+  // dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
   // well.
   bool relax(Vector& x) {
     double inertia = 10.0;

@@ -36,7 +36,6 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   dynamics_.calc_accelerations(state_);
   state_.a.setZero();
   n_ = system_.dofs(), nz_ = system_.states(), rows_ = system_.rows();
-  metric_ = metric_of_masses(system_);
   length_ = system_.natural_length();
   system_.set_scales({.length = length_, .time = 1.0});
   choose_loads(model, options);
@@ -204,11 +203,7 @@ double Statics::work(const Vector& x, const Vector& y, int points) {
   return sum / (force_ * length_);
 }
 
-double Statics::inertial(const Vector& d) const {
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < n_; ++i) sum += metric_[at(i)] * std::pow(size(i) * d[i], 2);
-  return sum / (system_.mean_mass() * length_ * length_);
-}
+double Statics::inertial(const Vector& d) const { return d.head(n_).squaredNorm(); }
 
 bool Statics::project(Vector& x) {
   set(x);
@@ -222,7 +217,7 @@ bool Statics::project_in_metric() {
   if (!system_.has_massless()) return false;
   std::vector<char> dropped(at(rows_), 0);
   for (const int row : system_.dropped_rows()) dropped[at(row)] = 1;
-  LeastChange nearest(system_, metric_, {}, dropped);
+  LeastChange nearest(system_, metric_of_masses(system_), {}, dropped);
   return nearest.solve_positions(state_.t, state_.q.data());
 }
 
@@ -338,10 +333,7 @@ void Statics::add_forces(Vector& Q, Vector& z_dot) {
 }
 
 void Statics::add_inertia(double inertia) {
-  const double mean = system_.mean_mass();
-  for (Eigen::Index i = 0; i < n_; ++i)
-    matrix_.coeffRef(i, i) -=
-        inertia * metric_[at(i)] * size(i) * size(i) / (mean * length_ * length_);
+  for (Eigen::Index i = 0; i < n_; ++i) matrix_.coeffRef(i, i) -= inertia;
   matrix_.makeCompressed();
 }
 

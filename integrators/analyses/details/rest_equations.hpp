@@ -43,7 +43,8 @@ class Statics {
   /// F at x; false if it is not finite or a contact is beyond its law.
   bool residual(const Vector& x, Vector& F);
 
-  /// dF/dx at x, with `inertia` [scaled] taken off the diagonal of the forces.
+  /// dF/dx at x, with `inertia` taken off the diagonal of the forces: the same for every length scale
+  /// and rad of every body, because beside a heavy body light ones would be without.
   const Tangent::Matrix& calc_matrix(const Vector& x, double inertia = 0.0);
   /// Its factors.
   bool factorise(const Vector& x, double inertia = 0.0);
@@ -60,7 +61,7 @@ class Statics {
   /// Work of the forces on the straight way from x to y, scaled like force times length: Gauss's
   /// rule with 5 points, or the slope at x times the way with 1.
   double work(const Vector& x, const Vector& y, int points);
-  /// d^T M d, scaled as factorise() adds it.
+  /// d^T d of the positions, as factorise() adds it.
   double inertial(const Vector& d) const;
   /// Moves the positions of x to the nearest on the joints.
   bool project(Vector& x);
@@ -113,7 +114,6 @@ class Statics {
   Vector start_;
   Eigen::Index n_ = 0, nz_ = 0, rows_ = 0;
   double length_ = 1.0, force_ = 1.0, load_factor_ = 1.0;
-  std::vector<double> metric_;  // [n] of masses
   std::vector<bool> is_load_;
   std::vector<double> share_;
   bool beyond_law_ = false;
