@@ -23,6 +23,7 @@ Case point_pendulum_case();
 Case double_pendulum_case();
 Case andrews_case();
 Case car_axis_case();
+Case truss_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
@@ -33,6 +34,7 @@ const std::vector<Case>& case_registry() {
       jansen_leg_case(),
       parallelogram_case(),
       scott_russell_platform_case(),
+      truss_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),

@@ -74,6 +74,10 @@ struct SparseLU::Klu {
 namespace {
 // Below this the factors carry no correct digit: treat as singular.
 constexpr double singular = 1e-15;
+// KLU takes a pivot on the diagonal, which keeps the factors sparse, if it is this part of the
+// largest in its column. Beside masses of many decades such a pivot may lose all digits: where the
+// factors are doubtful only pivots that are nearly the largest are taken.
+constexpr double careful = 0.1, doubtful = 1e-10;
 // KLU's interface is not const-correct; it does not write to the pattern or the values.
 int* mutable_data(const std::vector<int>& v) { return const_cast<int*>(v.data()); }
 double* mutable_data(const std::vector<double>& v) { return const_cast<double*>(v.data()); }
@@ -112,18 +116,27 @@ bool SparseLU::fresh(const SparseMatrix& matrix) {
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!std::all_of(matrix.value.begin(), matrix.value.end() - 1, finite)) return false;
   ++counters_.fresh;
-  klu_free_numeric(&klu_->numeric, &klu_->common);
-  klu_->numeric = klu_factor(mutable_data(matrix.column_start), mutable_data(matrix.row),
-                             mutable_data(matrix.value), klu_->symbolic, &klu_->common);
-  if (klu_->numeric == nullptr || klu_->common.status != KLU_OK) {
-    reset();
-    return false;
+  const double usual = klu_->common.tol;
+  if (!choose_pivots(matrix) || rcond_ < doubtful) {
+    klu_->common.tol = careful;
+    choose_pivots(matrix);
+    klu_->common.tol = usual;
   }
-  klu_rcond(klu_->symbolic, klu_->numeric, &klu_->common);
-  rcond_ = rcond_fresh_ = klu_->common.rcond;
+  rcond_fresh_ = rcond_;
   if (rcond_ > singular) return true;
   reset();
   return false;
+}
+
+bool SparseLU::choose_pivots(const SparseMatrix& matrix) {
+  rcond_ = 0.0;
+  reset();
+  klu_->numeric = klu_factor(mutable_data(matrix.column_start), mutable_data(matrix.row),
+                             mutable_data(matrix.value), klu_->symbolic, &klu_->common);
+  if (klu_->numeric == nullptr || klu_->common.status != KLU_OK) return false;
+  klu_rcond(klu_->symbolic, klu_->numeric, &klu_->common);
+  rcond_ = klu_->common.rcond;
+  return true;
 }
 
 void SparseLU::solve(double* b) {

@@ -68,6 +68,7 @@ class SparseLU {
 
  private:
   bool fresh(const SparseMatrix& matrix);
+  bool choose_pivots(const SparseMatrix& matrix);
 
   struct Klu;
   std::unique_ptr<Klu> klu_;

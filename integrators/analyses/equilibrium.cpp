@@ -2,14 +2,12 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/equilibrium.hpp>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include <yoke/integrators/analyses/details/descent.hpp>
-#include <yoke/integrators/analyses/details/linearisation.hpp>
 #include <yoke/integrators/analyses/details/rest_equations.hpp>
-#include <yoke/integrators/analyses/details/spectrum.hpp>
+#include <yoke/integrators/analyses/details/stiffness.hpp>
 #include <yoke/integrators/run/recorder.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 #include <yoke/integrators/sundials/newton.hpp>
@@ -25,10 +23,9 @@ constexpr double largest_step = 1.0;        // scaled, on average of all unknown
 constexpr double first_load = 0.1, smallest_load = 1e-4;
 constexpr double largest_move = 0.2;  // length scales or rad in one step of a relaxation
 constexpr int relaxation_steps = 3000;
-constexpr double lost = 100.0;           // length scales from the start: nothing holds it
-constexpr double neutral_below = 1e-12;  // of the largest stiffness
-constexpr double stands_on = 0.05;       // length scales or rad: the start is on the equilibrium
-constexpr double off_saddle = 0.01;      // the same
+constexpr double lost = 100.0;       // length scales from the start: nothing holds it
+constexpr double stands_on = 0.05;   // length scales or rad: the start is on the equilibrium
+constexpr double off_saddle = 0.01;  // the same
 constexpr int max_saddles = 20;
 
 using Vector = Eigen::VectorXd;
@@ -146,7 +143,7 @@ class Solver {
                                  statics_.farthest_body()));
   }
 
-  // M dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
+  // dq/h^2 = F: the way of a body without momentum, in implicit steps that grow while it goes
   // well.
   bool relax(Vector& x) {
     double inertia = 10.0;
@@ -205,52 +202,19 @@ class Solver {
     return std::move(e_);
   }
 
-  /// The stiffness against motions that the joints allow, at rest at `state`.
-  struct Stiffness {
-    double lowest = 0.0;    // [1/s^2]
-    bool negative = false;  // beyond rounding
-    bool neutral = false;   // a motion without stiffness
-    Vector soft, way_down;  // [n] the softest motion and that of the lowest stiffness
-  };
-  std::optional<Stiffness> stiffness_at(const State& state) {
-    const System& system = statics_.dynamics().system();
-    if (system.dofs() + system.states() > largest_linearisation) return std::nullopt;
-    const Linearisation l = linearise_at(statics_.dynamics(), state);
-    if (l.degrees_of_freedom() == 0) return std::nullopt;
-    Eigen::MatrixXd K = l.K_reduced;
-    if (l.z_z.rows() > 0) {
-      const Eigen::FullPivLU<Eigen::MatrixXd> own(Eigen::MatrixXd(l.z_z));
-      K += l.basis.transpose() * (l.Q_z * own.solve(Eigen::MatrixXd(l.z_q * l.basis)));
-    }
-    const auto [eigenvalues, vectors] = general_spectrum("equilibrium", K);
-    const Vector values = eigenvalues.real();
-    Eigen::Index lowest = 0, softest = 0;
-    Stiffness s;
-    s.lowest = values.minCoeff(&lowest);
-    const double least = values.cwiseAbs().minCoeff(&softest);
-    // Stiffness that the forces at hand could not notice is none.
-    const double rounding = neutral_below * std::max(eigenvalues.cwiseAbs().maxCoeff(),
-                                                     statics_.noticeable_stiffness());
-    s.negative = s.lowest < -rounding;
-    s.neutral = least <= rounding;
-    s.soft = l.basis * vectors.col(softest).real();
-    s.way_down = l.basis * vectors.col(lowest).real();
-    return s;
-  }
-
   bool is_stable(const Vector& x) {
     statics_.set(x);
-    const std::optional<Stiffness> s = stiffness_at(statics_.state());
-    if (!s || !s->negative) return true;
+    const std::optional<Stiffness> s = stiffness_at(statics_, statics_.state());
+    if (!s || !s->negative()) return true;
     way_down_ = s->way_down;
     return false;
   }
 
   void look_at_stiffness() {
-    const std::optional<Stiffness> s = stiffness_at(e_.state);
+    const std::optional<Stiffness> s = stiffness_at(statics_, e_.state);
     if (!s) return;
     e_.lowest_stiffness = s->lowest;
-    e_.stable = !s->negative;
+    e_.stable = !s->negative();
     e_.neutral = s->neutral;
     if (!e_.neutral || options_.allow_neutral) return;
     Eigen::Index which = 0;
@@ -276,6 +240,7 @@ Equilibrium equilibrium(const Model& model, const State& start, const Equilibriu
   check_model(model);
   check_state(model, start);
   require_finite("equilibrium", "t", options.t);
+  require_finite("equilibrium", "load_factor", options.load_factor);
   if (options.load_steps < 1)
     throw ModelError(
         fmt::format("equilibrium: load_steps = {} must be at least 1", options.load_steps));

@@ -22,6 +22,7 @@ struct EquilibriumOptions {
   /// The forces that are applied gradually; empty: gravity and applied loads, that is, all that
   /// supply work or do not depend on the motion.
   std::vector<std::string> loads{};
+  double load_factor = 1.0;    // the loads act multiplied by it
   int load_steps = 200;        // at most
   bool allow_neutral = false;  // accept an equilibrium that leaves a motion free
 };

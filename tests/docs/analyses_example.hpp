@@ -37,4 +37,13 @@ double pivot_force(const Model& model, const Result& run, double t) {
   return std::hypot(then["pivot.fx_N"], then["pivot.fy_N"]);
 }
 
+std::vector<double> buckling_loads(const Model& model, double load) {
+  const EquilibriumPath path = equilibrium_path(model, {.from = 0.0, .to = 1.0});
+  if (!path.complete) fmt::print("{}\n", path.reason);
+  std::vector<double> loads;
+  for (const CriticalPoint& point : path.critical)
+    if (point.kind == PathPoint::limit) loads.push_back(point.value * load);
+  return loads;
+}
+
 }  // namespace analyses_example

@@ -20,7 +20,7 @@ yoke::Model model_of(const char* name) {
 }  // namespace
 
 TEST_CASE("the code in docs/analyses.md is compiled here and does what it says") {
-  yoke::tests::check_blocks("docs/analyses.md", "cpp", 5, {"tests/docs/analyses_example.hpp"});
+  yoke::tests::check_blocks("docs/analyses.md", "cpp", 6, {"tests/docs/analyses_example.hpp"});
 
   using namespace yoke;
   const Model driven = model_of("slider_crank"), pendulum = model_of("hanging_chain");
@@ -29,6 +29,13 @@ TEST_CASE("the code in docs/analyses.md is compiled here and does what it says")
         doctest::Approx(139.29195312875739).epsilon(1e-10));
   CHECK(analyses_example::lowest_frequency(pendulum) ==
         doctest::Approx(std::sqrt(1.5 * 9.81) / (2.0 * pi)).epsilon(1e-10));
+  // The two limits of the truss: L^2 = b^2 + h^2, b^2 + y^2 = (L b^2)^(2/3).
+  const double L = std::hypot(1.0, 0.2), y = std::sqrt(std::pow(L, 2.0 / 3.0) - 1.0);
+  const double limit = 2.0 * 5000.0 * y * (L / std::hypot(1.0, y) - 1.0);
+  const std::vector<double> loads = analyses_example::buckling_loads(model_of("truss"), 20.0);
+  REQUIRE(loads.size() == 2);
+  CHECK(loads[0] == doctest::Approx(limit).epsilon(1e-11));
+  CHECK(loads[1] == doctest::Approx(-limit).epsilon(1e-11));
   const Result run = simulate(driven, {.until = 0.012, .samples = 25});
   CHECK(analyses_example::pivot_force(driven, run, 0.0) ==
         doctest::Approx(8253.228217346136).epsilon(1e-8));
@@ -45,6 +52,11 @@ TEST_CASE("the verbs of the analyses run their cases, and say why one does not f
   CHECK(run("equilibrium hanging_chain --format json") == 0);
   CHECK(run("equilibrium scotch_yoke --law johnson") == 1);  // the slider is free in its gap
   CHECK(run("equilibrium scotch_yoke --law johnson --allow-neutral") == 0);
+  const std::string path = "equilibrium truss -o '" YOKE_BINARY_DIR "/tests/truss-path' --path ";
+  CHECK(run(path + "0:1") == 0);
+  CHECK(run(path + "left.stiffness=5000:100 --format json") == 0);
+  CHECK(run(path + "0") == 1);
+  CHECK(run(path + "stiffness=1:2") == 1);
   CHECK(run("modes hanging_chain --set links=3") == 0);
   CHECK(run("modes hanging_chain --about nowhere") == 2);
 }

@@ -129,11 +129,12 @@ std::string restlessness(const System& system, const State& state, double rate) 
   return {};
 }
 
-Linearisation linearise_sparse(Dynamics& dynamics, const State& state) {
+Linearisation linearise_sparse(Dynamics& dynamics, const State& state,
+                               std::span<const double> share) {
   const System& system = dynamics.system();
   Linearisation l;
   l.state = state;
-  Tangent tangent = calc_tangent(dynamics.system(), l.state);
+  Tangent tangent = calc_tangent(dynamics.system(), l.state, share);
   l.mass = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), system.dofs());
   const std::vector<double> metric = metric_of_masses(system);
   l.metric = Eigen::Map<const Eigen::VectorXd>(metric.data(), system.dofs());
@@ -149,9 +150,9 @@ Linearisation linearise_sparse(Dynamics& dynamics, const State& state) {
   return l;
 }
 
-Linearisation linearise_at(Dynamics& dynamics, const State& state) {
+Linearisation linearise_at(Dynamics& dynamics, const State& state, std::span<const double> share) {
   const System& system = dynamics.system();
-  Linearisation l = linearise_sparse(dynamics, state);
+  Linearisation l = linearise_sparse(dynamics, state, share);
   reduce(l);
   l.freedom = static_cast<int>(l.basis.cols());
   if (!l.A.allFinite())

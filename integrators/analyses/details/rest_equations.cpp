@@ -23,7 +23,10 @@ std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 Statics::Statics(const Model& model, const State& start, const EquilibriumOptions& options)
-    : dynamics_(model), system_(dynamics_.system()), state_(start) {
+    : dynamics_(model),
+      system_(dynamics_.system()),
+      state_(start),
+      load_factor_(options.load_factor) {
   state_.t = options.t;
   state_.v.setZero();
   if (const Outcome outcome = dynamics_.assemble(state_); !outcome) throw ModelError(outcome.why);
@@ -33,7 +36,6 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   dynamics_.calc_accelerations(state_);
   state_.a.setZero();
   n_ = system_.dofs(), nz_ = system_.states(), rows_ = system_.rows();
-  metric_ = metric_of_masses(system_);
   length_ = system_.natural_length();
   system_.set_scales({.length = length_, .time = 1.0});
   choose_loads(model, options);
@@ -41,8 +43,9 @@ Statics::Statics(const Model& model, const State& start, const EquilibriumOption
   choose_force();
 }
 
-void Statics::set_load(double share) {
-  for (std::size_t i = 0; i < share_.size(); ++i) share_[i] = is_load_[i] ? share : 1.0;
+void Statics::set_load(double part) {
+  for (std::size_t i = 0; i < share_.size(); ++i)
+    share_[i] = is_load_[i] ? part * load_factor_ : 1.0;
 }
 
 Vector Statics::unknowns() const {
@@ -85,7 +88,7 @@ bool Statics::residual(const Vector& x, Vector& F) {
   return F.allFinite();
 }
 
-bool Statics::factorise(const Vector& x, double inertia) {
+const Tangent::Matrix& Statics::calc_matrix(const Vector& x, double inertia) {
   set(x);
   const Tangent t = calc_tangent(system_, state_, share_);
   std::vector<Eigen::Triplet<double>> entries;
@@ -114,6 +117,11 @@ bool Statics::factorise(const Vector& x, double inertia) {
   matrix_.resize(l + rows_, l + rows_);
   matrix_.setFromTriplets(entries.begin(), entries.end());
   if (inertia > 0.0) add_inertia(inertia);
+  return matrix_;
+}
+
+bool Statics::factorise(const Vector& x, double inertia) {
+  calc_matrix(x, inertia);
   lu_.compute(matrix_);
   if (lu_.info() == Eigen::Success) return true;
   add_inertia(regularisation);
@@ -195,11 +203,7 @@ double Statics::work(const Vector& x, const Vector& y, int points) {
   return sum / (force_ * length_);
 }
 
-double Statics::inertial(const Vector& d) const {
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < n_; ++i) sum += metric_[at(i)] * std::pow(size(i) * d[i], 2);
-  return sum / (system_.mean_mass() * length_ * length_);
-}
+double Statics::inertial(const Vector& d) const { return d.head(n_).squaredNorm(); }
 
 bool Statics::project(Vector& x) {
   set(x);
@@ -213,7 +217,7 @@ bool Statics::project_in_metric() {
   if (!system_.has_massless()) return false;
   std::vector<char> dropped(at(rows_), 0);
   for (const int row : system_.dropped_rows()) dropped[at(row)] = 1;
-  LeastChange nearest(system_, metric_, {}, dropped);
+  LeastChange nearest(system_, metric_of_masses(system_), {}, dropped);
   return nearest.solve_positions(state_.t, state_.q.data());
 }
 
@@ -286,6 +290,7 @@ void Statics::choose_loads(const Model& model, const EquilibriumOptions& options
                                  options.loads.end());
   }
   share_.assign(is_load_.size(), 1.0);
+  set_load(1.0);
 }
 
 void Statics::choose_force() {
@@ -328,10 +333,7 @@ void Statics::add_forces(Vector& Q, Vector& z_dot) {
 }
 
 void Statics::add_inertia(double inertia) {
-  const double mean = system_.mean_mass();
-  for (Eigen::Index i = 0; i < n_; ++i)
-    matrix_.coeffRef(i, i) -=
-        inertia * metric_[at(i)] * size(i) * size(i) / (mean * length_ * length_);
+  for (Eigen::Index i = 0; i < n_; ++i) matrix_.coeffRef(i, i) -= inertia;
   matrix_.makeCompressed();
 }
 

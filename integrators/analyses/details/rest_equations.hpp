@@ -7,6 +7,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,16 +27,26 @@ class Statics {
 
   Dynamics& dynamics() { return dynamics_; }
   const State& state() const { return state_; }
+  /// Starts from the z and multipliers of a state at rest that was found before.
+  void set_rest(const State& rest) { state_.z = rest.z, state_.lambda = rest.lambda; }
   bool has_loads() const { return std::ranges::find(is_load_, true) != is_load_.end(); }
-  void set_load(double share);
+  /// The loads act multiplied by this part of their load_factor.
+  void set_load(double part);
+  /// [forces] what each force is multiplied by.
+  std::span<const double> share() const { return share_; }
+  void set_parameter(std::size_t index, double value) { state_.parameters[index] = value; }
 
+  Eigen::Index positions() const { return n_; }  ///< the first of the unknowns
   Vector unknowns() const;
   void set(const Vector& x);
 
   /// F at x; false if it is not finite or a contact is beyond its law.
   bool residual(const Vector& x, Vector& F);
 
-  /// dF/dx at x, with `inertia` [scaled] taken off the diagonal of the forces.
+  /// dF/dx at x, with `inertia` taken off the diagonal of the forces: the same for every length scale
+  /// and rad of every body, because beside a heavy body light ones would be without.
+  const Tangent::Matrix& calc_matrix(const Vector& x, double inertia = 0.0);
+  /// Its factors.
   bool factorise(const Vector& x, double inertia = 0.0);
   bool solve(Vector& b);
   void multiply(const Vector& x, Vector& Jx) const { Jx = matrix_ * x; }
@@ -50,7 +61,7 @@ class Statics {
   /// Work of the forces on the straight way from x to y, scaled like force times length: Gauss's
   /// rule with 5 points, or the slope at x times the way with 1.
   double work(const Vector& x, const Vector& y, int points);
-  /// d^T M d, scaled as factorise() adds it.
+  /// d^T d of the positions, as factorise() adds it.
   double inertial(const Vector& d) const;
   /// Moves the positions of x to the nearest on the joints.
   bool project(Vector& x);
@@ -102,8 +113,7 @@ class Statics {
   State state_;
   Vector start_;
   Eigen::Index n_ = 0, nz_ = 0, rows_ = 0;
-  double length_ = 1.0, force_ = 1.0;
-  std::vector<double> metric_;  // [n] of masses
+  double length_ = 1.0, force_ = 1.0, load_factor_ = 1.0;
   std::vector<bool> is_load_;
   std::vector<double> share_;
   bool beyond_law_ = false;

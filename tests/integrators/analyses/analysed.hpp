@@ -11,6 +11,7 @@
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/prismatic.hpp>
@@ -85,6 +86,31 @@ inline Model four_bar(double a, double b, double c, double d, double angle, doub
   m.add(Revolute{.name = "D", .a = ground, .b = rocker, .at = D});
   m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(angle, omega)});
   return m;
+}
+
+/// Two bars of length L from (-b, h) and (b, h) to a node on a guide, each compressible with k: a
+/// von Mises truss, pressed down by F [N].
+inline Model truss(double b, double h, double k, double F, double start) {
+  Model m;
+  const auto node = m.add(
+      Body{.name = "node", .mass = 0.1, .inertia = 1e-4 * b * b, .pose = {{0.0, start}, 0.0}});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = node, .along = {0.0, 1.0}});
+  for (const double side : {-1.0, 1.0})
+    m.add(TranslationalSpring{.name = side < 0.0 ? "left" : "right",
+                              .a = ground,
+                              .b = node,
+                              .at_a = {side * b, 0.0},
+                              .at_b = {0.0, start},
+                              .stiffness = k,
+                              .free_length = std::hypot(b, h)});
+  m.add(AppliedForce{.name = "load", .body = node, .at = {0.0, start}, .force = [F](double) {
+                       return Vec2(0.0, -F);
+                     }});
+  return m;
+}
+/// Its load at height y.
+inline double truss_load(double b, double h, double k, double y) {
+  return 2.0 * k * y * (std::hypot(b, h) / std::hypot(b, y) - 1.0);
 }
 
 }  // namespace yoke::tests

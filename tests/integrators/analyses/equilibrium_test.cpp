@@ -35,31 +35,6 @@ Model ball_over_floor(double height, const ContactLaw& law, bool guided = true) 
   return m;
 }
 
-/// Two bars of length L from (-b, h) and (b, h) to a node on a guide, each compressible with k: a
-/// von Mises truss, pressed down by F [N].
-Model truss(double b, double h, double k, double F, double start) {
-  Model m;
-  const auto node =
-      m.add(Body{.name = "node", .mass = 0.1, .inertia = 1e-4, .pose = {{0.0, start}, 0.0}});
-  m.add(Prismatic{.name = "guide", .a = ground, .b = node, .along = {0.0, 1.0}});
-  for (const double side : {-1.0, 1.0})
-    m.add(TranslationalSpring{.name = side < 0.0 ? "left" : "right",
-                              .a = ground,
-                              .b = node,
-                              .at_a = {side * b, 0.0},
-                              .at_b = {0.0, start},
-                              .stiffness = k,
-                              .free_length = std::hypot(b, h)});
-  m.add(AppliedForce{.name = "load", .body = node, .at = {0.0, start}, .force = [F](double) {
-                       return Vec2(0.0, -F);
-                     }});
-  return m;
-}
-/// Its load at height y.
-double truss_load(double b, double h, double k, double y) {
-  return 2.0 * k * y * (std::hypot(b, h) / std::hypot(b, y) - 1.0);
-}
-
 }  // namespace
 
 TEST_CASE("a mass on a spring hangs m g / k lower, and the spring's force is its weight") {
