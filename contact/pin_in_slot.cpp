@@ -47,12 +47,26 @@ std::vector<ContactLaw> laws_of(const std::string& owner, const SlotLaws& laws, 
   return result;
 }
 
+/// A pin may start within a wall, but not behind it.
+void require_inside(const std::string& owner, const Pin& pin, const Slot& slot) {
+  const Vec2 p = rotate(-slot.angle(), pin.at - slot.origin());
+  const Touch touch = slot.touch(slot.nearest(p), p);
+  const double beyond = touch.distance - slot.half_width();
+  if (beyond > pin.radius)
+    throw ModelError(fmt::format(
+        "{}: the pin's centre ({:g}, {:g}) m is {:g} m behind the wall '{}' in the start pose; it "
+        "must be in the slot",
+        owner, pin.at.x(), pin.at.y(), beyond,
+        region_name(slot.regions()[static_cast<std::size_t>(touch.region)])));
+}
+
 std::unique_ptr<ForceElement> contact_with(const PinInSlot& p, const std::string& name,
                                            const Slot& slot, const Model& model) {
   const std::string owner = fmt::format("slot '{}'", name);
   slot.check(owner, p.pin.radius);
   require_finite(owner, "pin x", p.pin.at.x());
   require_finite(owner, "pin y", p.pin.at.y());
+  require_inside(owner, p.pin, slot);
   return std::make_unique<ContactElement>(
       name, p.pin.body, p.slot.body,
       std::make_unique<DiscGeometry>(model, p.pin.body, p.pin.at, p.pin.radius, p.slot.body, slot),

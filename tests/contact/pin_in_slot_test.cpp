@@ -8,10 +8,12 @@
 
 #include <yoke/contact/contact_element.hpp>
 #include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/geometry/curve_slot.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/johnson.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/tests/messages.hpp>
@@ -366,4 +368,27 @@ TEST_CASE("a pin in a slot with wrong data is refused by name") {
   CHECK_THROWS_AS(add({ground, {0.06, 0.0}, 7.8_mm}), ModelError);
   add({crank, {0.06, 0.0}, 7.8_mm});
   CHECK(model.forces().size() == 1);
+}
+
+TEST_CASE(
+    "a pin that starts behind a wall of its slot is refused, in an open slot it may be outside") {
+  Model model;
+  const BodyId pin = model.add({.name = "pin", .mass = 1.0, .inertia = 1e-3});
+  const CurveSlot closed{.centreline = line_segment({0.0, 0.0}, {0.1, 0.0}), .half_width = 8.0_mm};
+  CurveSlot open = closed;
+  open.end = SlotEnd::open;
+  const auto add = [&](const Slot& slot, const Vec2& at) {
+    return message_of([&] {
+      PinInSlot{.name = "slot",
+                .pin = {pin, at, 7.0_mm},
+                .slot = {ground, slot},
+                .law = ContactLaw{per_mm(49070, 1.10)}}
+          .build(model);
+    });
+  };
+  CHECK(add(curve_slot(closed), {0.05, 0.0}) == "no error");
+  CHECK(add(curve_slot(closed), {0.05, 2.0_mm}) == "no error");  // within the wall
+  CHECK(contains(add(curve_slot(closed), {0.05, 0.03}),
+                 "slot 'slot': the pin's centre (0.05, 0.03) m is 0.022 m behind the wall 'left'"));
+  CHECK(add(curve_slot(open), {0.05, 0.03}) == "no error");
 }

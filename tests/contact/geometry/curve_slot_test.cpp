@@ -130,7 +130,7 @@ TEST_CASE("the penetration of a pin is its depth in the material, by brute force
     // The walls as points: of each wall those that no part of the centreline is nearer to than h.
     std::vector<Vec2> wall;
     const Curve& c = slot.centreline;
-    constexpr int count = 40000;
+    constexpr int count = 10000;
     for (int i = 0; i <= count; ++i) {
       const CurvePoint at = c.at(c.length() * i / count);
       for (const double side : {1.0, -1.0}) {
@@ -140,8 +140,8 @@ TEST_CASE("the penetration of a pin is its depth in the material, by brute force
       }
     }
     const auto arc_about = [&](const Vec2& center) {
-      for (int k = 0; k < 4000; ++k) {
-        const Vec2 w = center + rotate(2.0 * pi * k / 4000.0, Vec2(h, 0.0));
+      for (int k = 0; k < 1500; ++k) {
+        const Vec2 w = center + rotate(2.0 * pi * k / 1500.0, Vec2(h, 0.0));
         if ((c.at(c.length_to(c.nearest(w))).point - w).norm() > h * (1.0 - 1e-7))
           wall.push_back(w);
       }
