@@ -47,6 +47,9 @@ struct Case {
   /// Optional: numbers of a run beside what they should be. Called for runs that completed, with at
   /// least two rows of samples.
   std::function<std::vector<Check>(const Parameters&, const Model&, const Result&)> checks{};
+  /// Optional: those of them that depend on the laws of the walls. Called under the same conditions.
+  std::function<std::vector<Check>(const Parameters&, const WallLaws& laws, const Result&)>
+      law_checks{};
   /// Optional: bodies whose path is drawn, y over x.
   std::vector<std::string> paths{};
   /// Optional: rows recorded of a run with contacts, at least. They are many more than are written
@@ -68,6 +71,11 @@ std::vector<std::string> choose_laws(const Case& c, const std::vector<std::strin
 /// The mechanism under one law: a name or specification (see contact_choice.hpp), "" for the base
 /// law of the case. Throws ModelError.
 Model make_model(const Case& c, const Parameters& parameters, std::string_view law = "");
+
+/// All checks of a run of that mechanism, none if it did not complete or recorded less than two
+/// rows. Throws ModelError as make_model.
+std::vector<Check> run_checks(const Case& c, const Parameters& parameters, std::string_view law,
+                              const Model& model, const Result& run);
 
 /// The cases by group, groups and cases in the order of the registry.
 struct CaseGroup {

@@ -18,6 +18,11 @@ Case slider_crank_case();
 Case quick_return_case();
 Case jansen_leg_case();
 Case scott_russell_platform_case();
+Case bouncing_ball_case();
+Case newtons_cradle_case();
+Case impact_pair_case();
+Case pendulum_stop_case();
+Case slender_bar_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -35,6 +40,12 @@ const std::vector<Case>& case_registry() {
       parallelogram_case(),
       scott_russell_platform_case(),
       truss_case(),
+      // impacts
+      bouncing_ball_case(),
+      newtons_cradle_case(),
+      impact_pair_case(),
+      pendulum_stop_case(),
+      slender_bar_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),
@@ -77,6 +88,17 @@ std::vector<std::string> choose_laws(const Case& c, const std::vector<std::strin
 
 Model make_model(const Case& c, const Parameters& parameters, std::string_view law) {
   return c.model(parameters, make_laws(c.contact, parameters, law));
+}
+
+std::vector<Check> run_checks(const Case& c, const Parameters& parameters, std::string_view law,
+                              const Model& model, const Result& run) {
+  if (!run.summary.ok() || run.samples.rows() < 2) return {};
+  std::vector<Check> checks;
+  if (c.checks) checks = c.checks(parameters, model, run);
+  if (!c.law_checks) return checks;
+  for (Check& check : c.law_checks(parameters, make_laws(c.contact, parameters, law), run))
+    checks.push_back(std::move(check));
+  return checks;
 }
 
 Case case_without_choices(std::string group, std::string name, std::string description,

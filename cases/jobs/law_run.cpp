@@ -118,8 +118,7 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
     options.observer = [](const Progress&) { return !interrupted(); };
     run.verification = verify(model, options, result);
   }
-  if (c.checks && result.summary.ok() && result.samples.rows() >= 2)
-    run.checks = c.checks(request.parameters, model, result);
+  run.checks = run_checks(c, request.parameters, law, model, result);
   run.samples = std::move(result.samples);
   run.events = std::move(result.events);
   run.summary = std::move(result.summary);

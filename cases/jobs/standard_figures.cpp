@@ -133,6 +133,19 @@ double force_top_of(const LawRun& run, const Texts& joints) {
 constexpr std::array body_quantities = {"x_m",        "y_m",        "angle_rad",
                                         "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s"};
 
+/// Quantities that no body changes beyond rounding of the largest one; not drawn.
+Texts still_quantities(const Table& samples, const Texts& bodies) {
+  Texts names;
+  for (const char* quantity : body_quantities) {
+    const bool moves = std::ranges::any_of(bodies, [&](const std::string& body) {
+      const Eigen::VectorXd values = samples[body + "." + quantity];
+      return values.maxCoeff() - values.minCoeff() > 1e-12 * values.cwiseAbs().maxCoeff();
+    });
+    if (!moves) names.emplace_back(quantity);
+  }
+  return names;
+}
+
 /// The terms of the energy ledger that are not zero throughout.
 Texts energies_of(const Table& samples) {
   Texts names;
@@ -207,11 +220,18 @@ void write_contacts(const LawRun& run, const Path& path) {
   }
   const std::size_t time = samples.index("t_s");
   const std::size_t every = std::max<std::size_t>(1, (samples.rows() - 1) / (most_rows - 1));
+  // The largest of the rows that one stands for: peaks of short impacts stay.
+  const auto largest_of = [&](std::size_t first, std::size_t column) {
+    double most = samples.value(first, column);
+    for (std::size_t i = first + 1; i < std::min(first + every, samples.rows()); ++i)
+      most = std::max(most, samples.value(i, column));
+    return most;
+  };
   for (std::size_t i = 0; i < samples.rows(); i += every) {
     fmt::format_to(std::back_inserter(text), "\n{:.9g}", samples.value(i, time));
     for (const auto& [force, penetration] : columns)
-      fmt::format_to(std::back_inserter(text), ",{:.7g},{:.7g}", samples.value(i, force),
-                     1e6 * std::max(0.0, samples.value(i, penetration)));
+      fmt::format_to(std::back_inserter(text), ",{:.7g},{:.7g}", largest_of(i, force),
+                     1e6 * std::max(0.0, largest_of(i, penetration)));
   }
   write_text(path, text);
 }
@@ -386,6 +406,7 @@ DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts&
   if (run.samples.rows() < 2) return drawn;
   make_output_folder(folder);
   drawn.bodies = bodies_of(run.samples);
+  drawn.still = still_quantities(run.samples, drawn.bodies);
   drawn.paths = paths;
   drawn.forces = joints_of(run.samples, false);
   drawn.moments = joints_of(run.samples, true);
@@ -412,14 +433,20 @@ std::vector<Figure> standard_figures(const std::string& case_name,
     figures.push_back(panel_figure(name, title(what), all));
   };
   if (!first.paths.empty()) figures.push_back(path_figure(first, title("paths")));
-  if (!first.bodies.empty()) {
-    add("motion", "motion of the bodies",
-        {body_panel(first, "x [m]", "x_m"), body_panel(first, "y [m]", "y_m"),
-         body_panel(first, "angle [rad]", "angle_rad")});
-    add("velocities", "velocities of the bodies",
-        {body_panel(first, "v_x [m/s]", "vx_m_per_s"), body_panel(first, "v_y [m/s]", "vy_m_per_s"),
-         body_panel(first, "omega [rad/s]", "omega_rad_per_s")});
-  }
+  const auto bodies = [&](const std::string& name, const std::string& what,
+                          std::initializer_list<std::array<const char*, 2>> quantities) {
+    std::vector<Panel> all;
+    for (const auto& [label, quantity] : quantities)
+      if (std::ranges::find(first.still, quantity) == first.still.end())
+        all.push_back(body_panel(first, label, quantity));
+    if (!first.bodies.empty() && !all.empty()) add(name, what, all);
+  };
+  bodies("motion", "motion of the bodies",
+         {{"x [m]", "x_m"}, {"y [m]", "y_m"}, {"angle [rad]", "angle_rad"}});
+  bodies("velocities", "velocities of the bodies",
+         {{"v_x [m/s]", "vx_m_per_s"},
+          {"v_y [m/s]", "vy_m_per_s"},
+          {"omega [rad/s]", "omega_rad_per_s"}});
   std::vector<Panel> reactions;
   const auto joints = [&](const Texts& names, const std::string& label, const char* column) {
     if (names.empty()) return;

@@ -19,6 +19,7 @@ struct DrawnRun {
   std::string law, folder;
   std::vector<ContactRecord> contacts{};
   std::vector<std::string> bodies{};
+  std::vector<std::string> still{};  // quantities of bodies that stay as they are: "y_m"
   std::vector<std::string> paths{};  // bodies whose path is drawn
   double force_top = 0.0;            // [N] end of the axis of reactions; 0: as high as they are
   double path_aspect = 1.0;          // height over width of all paths
