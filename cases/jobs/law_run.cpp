@@ -120,6 +120,8 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   }
   if (c.checks && result.summary.ok() && result.samples.rows() >= 2)
     run.checks = c.checks(request.parameters, model, result);
+  if (request.plots && c.portraits && result.summary.ok() && result.samples.rows() >= 2)
+    run.portraits = c.portraits(request.parameters, model, result);
   run.samples = std::move(result.samples);
   run.events = std::move(result.events);
   run.summary = std::move(result.summary);
