@@ -28,6 +28,20 @@ struct MotionColumn {
   double shift = 0.0;  // in the unit of the column
 };
 
+/// A picture of one quantity over another that a case computes from a run: an orbit, a section.
+struct PortraitLine {
+  std::string name;
+  std::vector<Vec2> points;  // in the units of the labels
+  bool dots = false;         // points alone, without lines between them
+};
+struct Portrait {
+  std::string name;   // of the file: "orbit"
+  std::string title;  // "path of the journal in its bearing"
+  std::string x_label, y_label;
+  std::vector<PortraitLine> lines;
+  bool equal_scales = false;  // both axes show the same lengths alike
+};
+
 struct Case {
   std::string name;
   std::string group{};      // "linkages": `yoke list` prints cases by group
@@ -50,6 +64,8 @@ struct Case {
   /// Optional: those of them that depend on the laws of the walls. Called under the same conditions.
   std::function<std::vector<Check>(const Parameters&, const WallLaws& laws, const Result&)>
       law_checks{};
+  /// Optional: pictures of its own, under the same conditions.
+  std::function<std::vector<Portrait>(const Parameters&, const Model&, const Result&)> portraits{};
   /// Optional: bodies whose path is drawn, y over x.
   std::vector<std::string> paths{};
   /// Optional: rows recorded of a run with contacts, at least. They are many more than are written
@@ -64,9 +80,11 @@ const std::vector<Case>& case_registry();
 const Case& find_case(std::string_view name);
 
 /// The laws of a case to run: `laws` in the order of the case, those of the catalogue after them,
-/// none twice; all named laws of the case if `laws` is empty. Throws ModelError for a law that
-/// neither the case nor the catalogue knows.
-std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws);
+/// none twice; all named laws of the case if `laws` is empty. None if the case has no walls with
+/// these parameters. Throws ModelError for a law that neither the case nor the catalogue knows, and
+/// for one that is not needed.
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws);
 
 /// The mechanism under one law: a name or specification (see contact_choice.hpp), "" for the base
 /// law of the case. Throws ModelError.

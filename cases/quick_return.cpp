@@ -29,6 +29,10 @@
 #include <cmath>
 
 #include <yoke/cases/case.hpp>
+#include <yoke/cases/choices/clearance_choice.hpp>
+#include <yoke/contact/geometry/curve_slot.hpp>
+#include <yoke/contact/pin_in_slot.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/forces/gravity.hpp>
@@ -45,6 +49,7 @@ using namespace yoke::literals;
 struct QuickReturn {
   double crank, distance, lever, link;  // [m]
   double omega;                         // [rad/s] of the crank
+  double clearance;                     // [m] of the pin in the slot, 0: ideal
   double start = 0.5 * pi;              // [rad] crank upright: the middle of the stroke
 
   explicit QuickReturn(const Parameters& p)
@@ -52,7 +57,8 @@ struct QuickReturn {
         distance(p.number("distance")),
         lever(p.number("lever")),
         link(p.number("link")),
-        omega(p.number("speed") * pi / 30.0) {
+        omega(p.number("speed") * pi / 30.0),
+        clearance(clearance_of(p)) {
     const auto refuse = [](const char* name, double is, const char* need, double than) {
       throw ModelError(fmt::format("quick_return: {} = {:g} mm must be {} {:g} mm", name, 1e3 * is,
                                    need, 1e3 * than));
@@ -78,13 +84,29 @@ struct QuickReturn {
   }
 };
 
-/// The pin in the slot, without clearance.
-void join_pin_and_slot(Model& m, BodyId crank, const Vec2& pin, BodyId lever) {
-  m.add(PointOnLine{
-      .name = "slot", .a = crank, .at = pin, .b = lever, .through = {0.0, 0.0}, .along = pin});
+constexpr double slot_pin_radius = 10.0_mm;
+
+/// The pin in the slot, which the lever has around its line from the pivot through the pin. The
+/// slot is longer than the pin's way by two radii at each end.
+void join_pin_and_slot(Model& m, const QuickReturn& c, BodyId crank, const Vec2& pin, BodyId lever,
+                       const WallLaws& laws) {
+  if (c.clearance == 0.0) {
+    m.add(PointOnLine{
+        .name = "slot", .a = crank, .at = pin, .b = lever, .through = {0.0, 0.0}, .along = pin});
+    return;
+  }
+  const Vec2 along = pin.normalized();
+  const double spare = 2.0 * slot_pin_radius;
+  m.add(PinInSlot{.name = "slot",
+                  .pin = {crank, pin, slot_pin_radius},
+                  .slot = {lever, curve_slot({.centreline = line_segment(
+                                                  (c.distance - c.crank - spare) * along,
+                                                  (c.distance + c.crank + spare) * along),
+                                              .half_width = slot_pin_radius + c.clearance})},
+                  .law = laws["slot"]});
 }
 
-Model quick_return_model(const QuickReturn& c) {
+Model quick_return_model(const QuickReturn& c, const WallLaws& laws) {
   const Vec2 origin(0.0, 0.0), middle(0.0, c.distance),
       pin = middle + rotate(c.start, {c.crank, 0.0});
   const double theta = c.lever_angle(c.start);
@@ -92,19 +114,26 @@ Model quick_return_model(const QuickReturn& c) {
   const double drop = c.height() - tip.y();
   const Vec2 head(tip.x() - std::sqrt(c.link * c.link - drop * drop), c.height());
   Model m;
-  const auto bar = [&](const char* name, double mass, const Vec2& from, const Vec2& to) {
+  // Upright at the start, crank and lever move their ends along x: the link does not turn.
+  const double rate = c.omega * c.crank / (c.distance + c.crank);  // of the lever
+  const Vec2 ram_speed = rate * perp(tip);
+  const auto bar = [&](const char* name, double mass, const Vec2& from, const Vec2& to,
+                       const Vec2& speed, double turning) {
     const Vec2 way = to - from;
     return m.add(Body{.name = name,
                       .mass = mass,
                       .inertia = mass * way.squaredNorm() / 12.0,
-                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())}});
+                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())},
+                      .twist = {speed + turning * perp(0.5 * way), turning}});
   };
-  const BodyId crank = bar("crank", 1.0, middle, pin), lever = bar("lever", 3.0, origin, tip),
-               link = bar("link", 1.0, head, tip);
-  const BodyId ram = m.add(Body{.name = "ram", .mass = 5.0, .inertia = 0.05, .pose = {head, 0.0}});
+  const BodyId crank = bar("crank", 1.0, middle, pin, origin, c.omega),
+               lever = bar("lever", 3.0, origin, tip, origin, rate),
+               link = bar("link", 1.0, head, tip, ram_speed, 0.0);
+  const BodyId ram = m.add(Body{
+      .name = "ram", .mass = 5.0, .inertia = 0.05, .pose = {head, 0.0}, .twist = {ram_speed, 0.0}});
   m.add(Revolute{.name = "crank pivot", .a = ground, .b = crank, .at = middle});
   m.add(Revolute{.name = "lever pivot", .a = ground, .b = lever, .at = origin});
-  join_pin_and_slot(m, crank, pin, lever);
+  join_pin_and_slot(m, c, crank, pin, lever, laws);
   m.add(Revolute{.name = "tip", .a = lever, .b = link, .at = tip});
   m.add(Revolute{.name = "ram pin", .a = link, .b = ram, .at = head});
   m.add(Prismatic{.name = "guide", .a = ground, .b = ram, .along = {1.0, 0.0}});
@@ -113,7 +142,35 @@ Model quick_return_model(const QuickReturn& c) {
   return m;
 }
 
+/// The lever turns against the ideal one as far as the pin moves across the slot.
+std::vector<Check> quick_return_play_checks(const QuickReturn& c, const Result& run) {
+  const Eigen::VectorXd t = run["t_s"], lever = run["lever.angle_rad"],
+                        reported = run["slot.penetration_m"];
+  double worst = 0.0, deepest = 0.0, off = 0.0;
+  for (Eigen::Index i = 0; i < t.size(); ++i) {
+    const double phi = c.start + c.omega * t[i];
+    const Vec2 pin = Vec2(0.0, c.distance) + rotate(phi, {c.crank, 0.0});
+    const double across = std::abs(rotate(-lever[i], pin).y());
+    worst = std::max(worst, std::abs(across - c.clearance - reported[i]));
+    deepest = std::max(deepest, reported[i]);
+    off = std::max(off, std::abs(std::remainder(lever[i] - c.lever_angle(phi), 2.0 * pi)));
+  }
+  return {{.what = "pin in the slot and penetration reported differ by",
+           .value = 1e6 * worst,
+           .unit = "um",
+           .tolerance = 1e6 * 1e-12 * (1.0 + c.distance + c.crank),  // rounding of poses
+           .remark = fmt::format("from the poses; deepest {:.3g} um", 1e6 * deepest)},
+          {.what = "lever off the ideal one by up to",
+           .value = off,
+           .expected = 0.0,
+           .unit = "rad",
+           .tolerance = std::asin((c.clearance + deepest) / (c.distance - c.crank)),
+           .remark = "bound: clearance and deepest penetration, pin nearest to the pivot"},
+          energy_check(run)};
+}
+
 std::vector<Check> quick_return_checks(const QuickReturn& c, const Result& run) {
+  if (c.clearance > 0.0) return quick_return_play_checks(c, run);
   const double beta = c.swing();
   std::vector<Check> checks = {
       deviation_check("angle of the lever off by", run, "lever.angle_rad", "rad", "closed form",
@@ -190,10 +247,15 @@ Case quick_return_case() {
                       .default_text = "2",
                       .low = 0.01,
                       .high = 10000.0,
-                      .description = "of the crank"}},
+                      .description = "of the crank"},
+                     clearance_parameter("ideal", "of the pin in the slot on each side, or ideal"),
+                     restitution_parameter("0.8")},
+      .contact = clearance_laws([](const Parameters&) {
+        return std::vector<Wall>{flat_wall_for("slot", slot_pin_radius, 20.0_mm)};
+      }),
       .default_output = "results/quick_return",
       .model = [](const Parameters& p,
-                  const WallLaws&) { return quick_return_model(QuickReturn(p)); },
+                  const WallLaws& laws) { return quick_return_model(QuickReturn(p), laws); },
       .duration = [](const Parameters& p) { return p.number("turns") * 60.0 / p.number("speed"); },
       .checks = [](const Parameters& p, const Model&,
                    const Result& run) { return quick_return_checks(QuickReturn(p), run); },

@@ -23,6 +23,9 @@ Case newtons_cradle_case();
 Case impact_pair_case();
 Case pendulum_stop_case();
 Case slender_bar_case();
+Case slider_crank_clearance_case();
+Case slider_guide_clearance_case();
+Case four_bar_clearance_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -32,7 +35,11 @@ Case truss_case();
 
 const std::vector<Case>& case_registry() {
   static const std::vector<Case> cases = {
+      // joints with clearance
       scotch_yoke_case(),
+      slider_crank_clearance_case(),
+      slider_guide_clearance_case(),
+      four_bar_clearance_case(),
       // linkages
       slider_crank_case(),
       quick_return_case(),
@@ -79,10 +86,17 @@ const Case& find_case(std::string_view name) {
   throw ModelError(fmt::format("unknown case '{}'{}", name, suggestion(name, known)));
 }
 
-std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws) {
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws) {
   if (c.contact.laws.empty() && !laws.empty())
     throw ModelError(fmt::format("--law {}: case '{}' has no contact laws to choose from",
                                  laws.front(), c.name));
+  if (c.contact.walls && c.contact.walls(parameters).empty()) {
+    if (!laws.empty())
+      throw ModelError(fmt::format("--law {}: with these parameters case '{}' has no contacts",
+                                   laws.front(), c.name));
+    return {};
+  }
   return choose_laws(c.contact, laws);
 }
 

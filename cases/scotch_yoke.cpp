@@ -35,12 +35,16 @@
 #include <cmath>
 
 #include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/geometry/curve_slot.hpp>
 #include <yoke/contact/laws/catalog/table11.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/johnson.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
+#include <yoke/core/curves/smooth_curves.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/time_function.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/point_on_curve.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 
@@ -48,7 +52,48 @@ namespace yoke::cases {
 
 using namespace scotch_yoke_data;
 
-Model scotch_yoke(const ScotchYoke& choices, const SlotLaws& laws) {
+namespace {
+
+/// The slot's centreline about its centre [m], counter-clockwise: the inner wall is on the left.
+Curve centreline(const Vec2& centre) {
+  return circular_arc(
+      {.center = centre, .radius = arc_radius, .start = pi - 0.5 * arc_angle, .angle = arc_angle});
+}
+
+/// A spline through points of it, both ends among them.
+Curve spline_through_arc(const Vec2& centre, int points) {
+  std::vector<Vec2> all;
+  for (int i = 0; i < points; ++i)
+    all.push_back(centre + rotate(pi + arc_angle * (static_cast<double>(i) / (points - 1) - 0.5),
+                                  {arc_radius, 0.0}));
+  return curve_through(all);
+}
+
+constexpr int spline_points = 200;
+
+/// The pin in the slot: contacts, or without clearance and laws a joint.
+void add_slot(Model& m, const ScotchYoke& choices, BodyId pin, const Vec2& tip, BodyId slider,
+              const Vec2& centre, const std::optional<SlotLaws>& laws) {
+  if (choices.slot == ScotchYoke::Slot::ideal) {
+    m.add(PointOnCurve{
+        .name = "slot", .a = pin, .at = tip, .b = slider, .curve = centreline(centre)});
+    return;
+  }
+  const Slot slot = choices.slot == ScotchYoke::Slot::arc
+                        ? arc_slot({.center = centre,
+                                    .radius = arc_radius,
+                                    .direction = pi,
+                                    .angle = arc_angle,
+                                    .half_width = half_width})
+                        : curve_slot({.centreline = spline_through_arc(centre, spline_points),
+                                      .half_width = half_width});
+  m.add(PinInSlot{
+      .name = "slot", .pin = {pin, tip, pin_radius}, .slot = {slider, slot}, .law = *laws});
+}
+
+}  // namespace
+
+Model scotch_yoke(const ScotchYoke& choices, const std::optional<SlotLaws>& laws) {
   const double r = choices.crank_length, phi = choices.start_angle;
   const TimeFunction turning = smooth_ramp(phi, speed, choices.spin_up);
   const double omega = turning(0.0).rate;
@@ -88,13 +133,7 @@ Model scotch_yoke(const ScotchYoke& choices, const SlotLaws& laws) {
                         .twist = {omega * perp(tip), 0.0}});
     m.add(Revolute{.name = "pin_joint", .a = crank_id, .b = pin_id, .at = tip});
   }
-  const Slot slot = arc_slot({.center = {slide.x, 0.0},
-                              .radius = arc_radius,
-                              .direction = pi,
-                              .angle = arc_angle,
-                              .half_width = half_width});
-  m.add(PinInSlot{
-      .name = "slot", .pin = {pin_id, tip, pin_radius}, .slot = {slider_id, slot}, .law = laws});
+  add_slot(m, choices, pin_id, tip, slider_id, {slide.x, 0.0}, laws);
   return m;
 }
 
@@ -153,7 +192,12 @@ ContactLaw named_law(const ScotchYoke& choices, const Wall& wall, std::string_vi
 }
 
 ContactChoice contact_choice() {
-  ContactChoice contact{.walls = [](const Parameters& p) { return walls_of(ScotchYoke(p)); },
+  ContactChoice contact{.walls =
+                            [](const Parameters& p) {
+                              const ScotchYoke choices(p);
+                              return choices.slot == ScotchYoke::Slot::ideal ? std::vector<Wall>{}
+                                                                             : walls_of(choices);
+                            },
                         .base = "johnson"};
   for (const auto& [name, description] : {
            std::pair{"table11-lankarani-nikravesh",
@@ -248,6 +292,10 @@ std::vector<CaseParameter> parameters() {
        .default_text = "own",
        .words = {"own", "one"},
        .description = "each wall its own law, or the outer wall's for both"},
+      {.name = "slot",
+       .default_text = "arc",
+       .words = {"arc", "spline", "ideal"},
+       .description = "an arc, a spline through 200 points of it, or the arc without clearance"},
   };
 }
 
@@ -260,10 +308,18 @@ ScotchYoke::ScotchYoke(const Parameters& p)
       consistent(p.word("slider_start") == "consistent"),
       pin_offset(p.number("pin_offset")),
       rolling(p.word("pin") == "rolling"),
+      slot(p.word("slot") == "arc"      ? Slot::arc
+           : p.word("slot") == "spline" ? Slot::spline
+                                        : Slot::ideal),
       alpha(p.number("alpha")),
       contact_length(p.is_word("contact_length") ? 0.0 : p.number("contact_length")),
       revolutions(p.number("revolutions")),
       one_wall_law(p.word("walls") == "one") {
+  if (slot == Slot::ideal && pin_offset != 0.0)
+    throw ModelError(
+        fmt::format("pin_offset = {:g} mm must be 0 mm with slot=ideal: the pin has no "
+                    "room beside the middle of the slot",
+                    1e3 * pin_offset));
   const double period = 2.0 * pi / speed;
   if (revolutions * period < 0.5 * spin_up)
     throw ModelError(
@@ -294,16 +350,21 @@ std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model&
       {"slider_x", "m", "slider.x_m", arc_centre_offset(model, choices)},
       {"slider_v", "m_per_s", "slider.vx_m_per_s"},
       {"slider_a", "m_per_s2", "slider.ax_m_per_s2"},
-      {"penetration", "m", "slot.penetration_m"},
-      {"penetration_rate", "m_per_s", "slot.penetration_rate_m_per_s"},
-      {"normal_force", "N", "slot.normal_force_N"},
-      {"region", "", "slot.region"},
       {"pivot_fx", "N", "pivot.fx_N"},
       {"pivot_fy", "N", "pivot.fy_N"},
       {"guide_fy", "N", "guide.fy_N"},
       {"guide_moment", "N_m", "guide.moment_N_m"},
       {"motor_torque", "N_m", "motor.moment_N_m"},
   };
+  const std::vector<MotionColumn> contact = {
+      {"penetration", "m", "slot.penetration_m"},
+      {"penetration_rate", "m_per_s", "slot.penetration_rate_m_per_s"},
+      {"normal_force", "N", "slot.normal_force_N"},
+      {"region", "", "slot.region"}};
+  const std::vector<MotionColumn> joint = {{"slot_fx", "N", "slot.fx_N"},
+                                           {"slot_fy", "N", "slot.fy_N"}};
+  const std::vector<MotionColumn>& slot = choices.slot == ScotchYoke::Slot::ideal ? joint : contact;
+  columns.insert(columns.begin() + 7, slot.begin(), slot.end());
   if (choices.rolling)
     columns.insert(columns.end(), {{"pin_joint_fx", "N", "pin_joint.fx_N"},
                                    {"pin_joint_fy", "N", "pin_joint.fy_N"},
@@ -313,10 +374,72 @@ std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model&
   return columns;
 }
 
+/// How far a spline through points of the arc is from it, and how far its normal turns off, for
+/// pins about the slot's middle.
+struct SplineError {
+  double gap = 0.0;     // [m]
+  double normal = 0.0;  // [rad]
+};
+SplineError spline_error(int points) {
+  const Vec2 centre{0.0, 0.0};
+  const Curve spline = spline_through_arc(centre, points);
+  SplineError worst;
+  for (int i = 0; i <= 1000; ++i)
+    for (const double across : {-gap, 0.0, gap}) {
+      const Vec2 away = rotate(pi + arc_angle * (i / 1000.0 - 0.5), {1.0, 0.0});
+      const CurveOffset seen = spline.offset(centre + (arc_radius + across) * away);
+      worst.gap = std::max(worst.gap, std::abs(seen.distance + across));
+      worst.normal = std::max(worst.normal, std::abs(cross(seen.normal, away)));
+    }
+  return worst;
+}
+
+/// The spline slot against the arc slot. The order is that of a coarse one: 200 points are at
+/// rounding.
+std::vector<Check> spline_checks() {
+  const SplineError at_200 = spline_error(spline_points), coarse = spline_error(13),
+                    fine = spline_error(25);
+  const auto order = [](double h, double half) { return std::log2(h / half); };
+  return {{.what = "gap of the spline's slot off the arc's by",
+           .value = 1e6 * at_200.gap,
+           .unit = "um",
+           .tolerance = 1e6 * 1e-8 * gap,
+           .remark = "1e-8 of the gap"},
+          {.what = "normal of the spline off the arc's by",
+           .value = at_200.normal,
+           .unit = "rad",
+           .tolerance = 1e-8},
+          {.what = "order of the gap's convergence, 12 to 24 intervals",
+           .value = order(coarse.gap, fine.gap),
+           .expected = 6.0,
+           .tolerance = 0.8,
+           .remark = "degree 5"},
+          {.what = "order of the normal's convergence",
+           .value = order(coarse.normal, fine.normal),
+           .expected = 5.0,
+           .tolerance = 0.8,
+           .remark = "degree 5"}};
+}
+
+/// Without clearance the closed form holds for every row.
+std::vector<Check> ideal_checks(const ScotchYoke& choices, const Model& model, const Result& run) {
+  const double shift = arc_centre_offset(model, choices);
+  const Eigen::VectorXd angle = run["crank.angle_rad"];
+  return {deviation_check("place of the slider off by", run, "slider.x_m", "m", "closed form",
+                          [&](std::size_t i) {
+                            return ideal_scotch_yoke(choices.crank_length,
+                                                     angle[static_cast<Eigen::Index>(i)], speed)
+                                       .x -
+                                   shift;
+                          }),
+          energy_check(run)};
+}
+
 /// The slider stays within what the gap and the deepest penetration allow around the mechanism
 /// without clearance: X with R_m longer or shorter by both.
 std::vector<Check> scotch_yoke_checks(const ScotchYoke& choices, const Model& model,
                                       const Result& run) {
+  if (choices.slot == ScotchYoke::Slot::ideal) return ideal_checks(choices, model, run);
   const double play = gap + std::max(0.0, run["slot.penetration_m"].maxCoeff());
   const double shift = arc_centre_offset(model, choices);
   const Eigen::VectorXd angle = run["crank.angle_rad"], x = run["slider.x_m"];
@@ -328,12 +451,16 @@ std::vector<Check> scotch_yoke_checks(const ScotchYoke& choices, const Model& mo
     const double at = x[i] + shift;
     beyond = std::max({beyond, at - ideal(arc_radius + play), ideal(arc_radius - play) - at});
   }
-  return {{.what = "slider farther from the mechanism without clearance than the play, by",
-           .value = 1e6 * beyond,
-           .unit = "um",
-           .tolerance = 1e-3,
-           .remark = fmt::format("closed form; gap and deepest penetration {:.1f} um", 1e6 * play)},
-          energy_check(run)};
+  std::vector<Check> checks = {
+      {.what = "slider farther from the mechanism without clearance than the play, by",
+       .value = 1e6 * beyond,
+       .unit = "um",
+       .tolerance = 1e-3,
+       .remark = fmt::format("closed form; gap and deepest penetration {:.1f} um", 1e6 * play)},
+      energy_check(run)};
+  if (choices.slot == ScotchYoke::Slot::spline)
+    for (Check& check : spline_checks()) checks.push_back(std::move(check));
+  return checks;
 }
 
 }  // namespace
@@ -348,6 +475,7 @@ Case scotch_yoke_case() {
           .model =
               [](const Parameters& p, const WallLaws& laws) {
                 const ScotchYoke choices(p);
+                if (choices.slot == ScotchYoke::Slot::ideal) return scotch_yoke(choices, {});
                 return scotch_yoke(choices, slot_laws(choices, laws));
               },
           .duration = [](const Parameters& p) { return ScotchYoke(p).end_time(); },

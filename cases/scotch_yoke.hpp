@@ -6,6 +6,7 @@
 // clearance.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include <yoke/cases/case.hpp>
@@ -43,7 +44,8 @@ struct ScotchYoke {
   bool consistent = true;   // slider starts with the velocity of the ideal mechanism, or at rest
   double pin_offset = 0.0;  // of the pin at the start, away from the arc's centre
   bool rolling = false;     // the pin is a body that turns on the crank
-  double alpha = 0.0;       // [s/m] Hunt and Crossley
+  enum class Slot { arc, spline, ideal } slot = Slot::arc;  // how the slot is described
+  double alpha = 0.0;                                       // [s/m] Hunt and Crossley
   double contact_length = 0.0;  // multiplies the K of Table 11 per mm; 0: as printed
   double revolutions = 0.0;
   bool one_wall_law = false;  // both walls with the law of the outer one
@@ -57,8 +59,9 @@ struct ScotchYoke {
 /// The laws of the case by name, for the walls of the slot. Throws ModelError.
 SlotLaws scotch_yoke_laws(const ScotchYoke& choices, std::string_view name);
 
-/// The mechanism: bodies crank, slider (and pin if rolling); elements pivot, motor, guide, slot.
-Model scotch_yoke(const ScotchYoke& choices, const SlotLaws& laws);
+/// The mechanism: bodies crank, slider (and pin if rolling); elements pivot, motor, guide, slot. An
+/// ideal slot needs no laws.
+Model scotch_yoke(const ScotchYoke& choices, const std::optional<SlotLaws>& laws);
 
 /// Motion of the slider without clearance, for a crank at `angle` with speed omega (constant). x is
 /// the position of the arc's centre, which is what slider_x_m means in the results.

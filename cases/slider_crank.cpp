@@ -29,7 +29,9 @@ struct Link {
 };
 
 /// All links along x, the crank turning at `omega`, the slider at rest.
-Model slider_crank(const Link& crank, const Link& rod, const Link& slider, double omega) {
+Model slider_crank(const Link& crank, const Link& rod, const Link& slider, double omega,
+                   const std::optional<Clearance>& pin = {},
+                   const std::optional<Clearance>& guide = {}, double spin = 0.0) {
   Model m;
   const double l1 = crank.length, l2 = rod.length, end = l1 + l2;
   const BodyId first = m.add(Body{.name = "crank",
@@ -42,12 +44,17 @@ Model slider_crank(const Link& crank, const Link& rod, const Link& slider, doubl
                                    .inertia = rod.inertia,
                                    .pose = {{l1 + 0.5 * l2, 0.0}, 0.0},
                                    .twist = {{0.0, 0.5 * omega * l1}, -omega * l1 / l2}});
-  const BodyId third = m.add(Body{
-      .name = "slider", .mass = slider.mass, .inertia = slider.inertia, .pose = {{end, 0.0}, 0.0}});
+  const BodyId third = m.add(Body{.name = "slider",
+                                  .mass = slider.mass,
+                                  .inertia = slider.inertia,
+                                  .pose = {{end, 0.0}, 0.0},
+                                  .twist = {{0.0, 0.0}, spin}});
   m.add(Revolute{.name = "pivot", .a = ground, .b = first, .at = origin});
   m.add(Revolute{.name = "crank pin", .a = first, .b = second, .at = {l1, 0.0}});
-  m.add(Revolute{.name = "slider pin", .a = second, .b = third, .at = {end, 0.0}});
-  m.add(Prismatic{.name = "guide", .a = ground, .b = third, .along = {1.0, 0.0}});
+  m.add(
+      Revolute{.name = "slider pin", .a = second, .b = third, .at = {end, 0.0}, .clearance = pin});
+  m.add(
+      Prismatic{.name = "guide", .a = ground, .b = third, .along = {1.0, 0.0}, .clearance = guide});
   return m;
 }
 
@@ -56,26 +63,7 @@ Model model_of(const Parameters& p) {
   if (!(l > r))
     throw ModelError(fmt::format(
         "slider_crank: rod = {:g} mm must be longer than the crank, {:g} mm", 1e3 * l, 1e3 * r));
-  Model m;
-  const double rate = -omega * r / l;
-  const BodyId crank = m.add({.name = "crank",
-                              .mass = 0.30,
-                              .inertia = 1e-5,
-                              .pose = {{0.5 * r, 0.0}, 0.0},
-                              .twist = {{0.0, 0.5 * r * omega}, omega}});
-  const BodyId rod = m.add({.name = "rod",
-                            .mass = 0.21,
-                            .inertia = 2.5e-5,
-                            .pose = {{r + 0.5 * l, 0.0}, 0.0},
-                            .twist = {{0.0, r * omega + 0.5 * l * rate}, rate}});
-  const BodyId slider =
-      m.add({.name = "slider", .mass = 0.14, .inertia = 1e-4, .pose = {{r + l, 0.0}, 0.0}});
-  m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = {0.0, 0.0}});
-  m.add(Revolute{.name = "crank pin", .a = crank, .b = rod, .at = {r, 0.0}});
-  m.add(Revolute{.name = "slider pin", .a = rod, .b = slider, .at = {r + l, 0.0}});
-  m.add(Prismatic{.name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}});
-  m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(0.0, omega)});
-  return m;
+  return driven_slider_crank(r, l, omega);
 }
 
 std::vector<Check> slider_crank_checks(const Parameters& p, const Model&, const Result& run) {
@@ -91,16 +79,17 @@ std::vector<Check> slider_crank_checks(const Parameters& p, const Model&, const 
 
 }  // namespace
 
-Model free_slider_crank() {
-  Model m =
-      slider_crank({0.153, 0.038, 7.4e-5}, {0.306, 0.038, 5.9e-4}, {0.0, 0.076, 2.7e-6}, 150.0);
+Model free_slider_crank(const std::optional<Clearance>& guide, double spin) {
+  Model m = slider_crank({0.153, 0.038, 7.4e-5}, {0.306, 0.038, 5.9e-4}, {0.0, 0.076, 2.7e-6},
+                         150.0, {}, guide, spin);
   m.add(Gravity{});
   return m;
 }
 
-Model driven_slider_crank() {
-  const double omega = 5000.0_rpm;
-  Model m = slider_crank({0.05, 0.30, 1e-5}, {0.12, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega);
+Model driven_slider_crank(double crank, double rod, double omega,
+                          const std::optional<Clearance>& slider_pin) {
+  Model m =
+      slider_crank({crank, 0.30, 1e-5}, {rod, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega, slider_pin);
   m.add(AngleDriver{
       .name = "motor", .body = m.find_body("crank"), .angle = constant_speed(0.0, omega)});
   return m;

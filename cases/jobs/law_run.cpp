@@ -119,6 +119,8 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
     run.verification = verify(model, options, result);
   }
   run.checks = run_checks(c, request.parameters, law, model, result);
+  if (request.plots && c.portraits && result.summary.ok() && result.samples.rows() >= 2)
+    run.portraits = c.portraits(request.parameters, model, result);
   run.samples = std::move(result.samples);
   run.events = std::move(result.events);
   run.summary = std::move(result.summary);

@@ -39,6 +39,7 @@ struct LawRun {
   std::vector<ContactRecord> contacts{};
   std::optional<Verification> verification{};
   std::vector<Check> checks{};
+  std::vector<Portrait> portraits{};
 
   /// What motion.csv shows.
   const Table& motion() const { return history.names().empty() ? samples : history; }

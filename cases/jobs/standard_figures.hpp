@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 //
 // The figures every case gets: motion, velocities, reactions, energy; with contacts also contact
-// force and penetration of each law and the loop of its hardest contact.
+// force and penetration of each law and the loop of its hardest contact. Then the case's own portraits.
 #pragma once
 
 #include <filesystem>
@@ -25,6 +25,7 @@ struct DrawnRun {
   double path_aspect = 1.0;          // height over width of all paths
   std::vector<std::string> forces{}, moments{};  // joints that carry a force, a moment
   std::vector<std::string> energies{};           // terms of the ledger: "kinetic"
+  std::vector<Portrait> portraits{};             // without their points
 };
 
 /// Writes the data of one run for the figures into `folder`; `paths` as in Case. Throws OutputError.

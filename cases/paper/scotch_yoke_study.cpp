@@ -148,6 +148,10 @@ Without clearance X'' = 0, where the force changes sides, is at 63.6 and 296.4 d
 prints as a check whether the slider stays within gap and penetration of X, and the balance of energy for
 each law. Its plots: Figures 11 to 16 of the paper ([figures](../figures.md)), motion, velocities, reactions,
 energy, contact force, penetration and the loop of the hardest contact.
+
+`slot=spline` describes the slot by a spline through 200 points of the arc and prints how far it is
+from the arc, and the order in which a coarser one converges; `slot=ideal` is the arc without clearance, a
+`PointOnCurve`, whose motion is compared with X.
 )";
 
 std::string front_matter(const Study& s) {

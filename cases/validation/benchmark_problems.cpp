@@ -301,7 +301,7 @@ std::vector<Benchmark> benchmarks() {
        .title = "Ideal slider-crank, free, 0.2 s",
        .description = "Crank of 153 mm left alone at 150 rad/s, with gravity. Quadruple precision; "
                       "all coordinates and all reactions at four times.",
-       .model = free_slider_crank,
+       .model = [] { return free_slider_crank(); },
        .until = 0.2,
        .bars = {.position = 1e-9, .reaction = 1e-9},
        .errors = [](const Result& r) { return compare(r, free_slider_crank_reference()); }});
@@ -310,7 +310,7 @@ std::vector<Benchmark> benchmarks() {
        .title = "Ideal slider-crank, driven at 5000 rpm, one turn",
        .description = "Crank of 50 mm. Quadruple precision; all coordinates, all reactions and the "
                       "torque of the drive at four times.",
-       .model = driven_slider_crank,
+       .model = [] { return driven_slider_crank(); },
        .until = 0.012,
        .bars = {.position = 1e-9, .reaction = 1e-9},
        .errors = [](const Result& r) { return compare(r, driven_slider_crank_reference()); }});

@@ -84,12 +84,15 @@ void write_rigid(const ScotchYoke& choices, const Path& folder) {
   rows.write(folder / "rigid.csv");
 }
 
+/// The outer wall, by the name of it in a slot along an arc or along a spline.
+bool is_outer(std::string_view region) { return region == "outer" || region == "right"; }
+
 /// The contact that begins with the pin's landing on the outer wall: one contact and rebound,
 /// at nearly the same speed for every law. False if there is none.
 bool write_loop(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   const auto spells = contact_spells(run, choices.last_revolution_start(), choices.end_time());
   const auto landing = std::ranges::find_if(spells, [](const ContactSpell& s) {
-    return s.crossed && s.region == "outer" && s.last > s.first;
+    return s.crossed && is_outer(s.region) && s.last > s.first;
   });
   if (landing == spells.end()) return false;
   const auto force = run.motion()["normal_force_N"], penetration = run.motion()["penetration_m"];
@@ -327,7 +330,7 @@ void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& fold
     const auto i = static_cast<Eigen::Index>(row);
     const Vec2 pin = rotate(choices.start_angle + angle[i], {choices.crank_length, 0.0});
     const Vec2 away = (pin - Vec2{x[i], 0.0}).normalized();
-    const Vec2 push = (run.motion().text(row, region) == "outer" ? 1.0 : -1.0) * force[i] * away;
+    const Vec2 push = (is_outer(run.motion().text(row, region)) ? 1.0 : -1.0) * force[i] * away;
     rows.add(1e3 * pin.x(), 1e3 * pin.y(), 1e3 * x[i], (angle[i] - window.angle) / degree, push.x(),
              push.y());
   }
@@ -405,6 +408,7 @@ bool have(const std::vector<LawRun>& runs, std::string_view law) {
 std::vector<Figure> scotch_yoke_figures(const Case&, const RunRequest& request,
                                         const std::vector<LawRun>& runs, const Path& folder) {
   const ScotchYoke choices(request.parameters);
+  if (choices.slot == ScotchYoke::Slot::ideal) return {};  // the figures are about contacts
   make_output_folder(folder);
   std::vector<std::string> laws, loops;
   for (const LawRun& run : runs) {

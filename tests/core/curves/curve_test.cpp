@@ -182,6 +182,18 @@ TEST_CASE("what is no curve is refused with what is wrong") {
         }).find("track: the curve crosses itself") == 0);
 }
 
+TEST_CASE("a straight line does not cross itself, whatever its direction") {
+  for (int i = 0; i < 720; ++i) {
+    const Vec2 along = rotate(i * pi / 360.0, {1.0, 0.0});
+    CHECK(yoke::tests::message_of([&] {
+            require_simple("track", line_segment(0.08 * along, 0.32 * along));
+          }) == "no error");
+  }
+  const Vec2 up(std::cos(0.5 * pi), std::sin(0.5 * pi));  // not quite upright
+  CHECK(yoke::tests::message_of(
+            [&] { require_simple("track", line_segment(0.08 * up, 0.32 * up)); }) == "no error");
+}
+
 TEST_CASE("absorber paths have Denman's radius of curvature, the tautochrone its distance") {
   for (const double n : {1.0, 2.0, 3.5})
     for (const double lambda : {0.0, 0.4, tautochronic_lambda(n), 1.0}) {
