@@ -371,7 +371,12 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
       range +=
           fmt::format("  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
                       gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
-  figure.body = range + "  set yrange [0:top > 0 ? 1.05*top : 1]\n" + figure.body;
+  // Room for the names above the peaks.
+  const std::size_t names = runs.front().contacts.size();
+  figure.body = range +
+                fmt::format("  set yrange [0:top > 0 ? {:.2f}*top : 1]\n",
+                            names > 1 ? 1.1 + 0.09 * static_cast<double>(names) : 1.05) +
+                figure.body;
   return figure;
 }
 

@@ -169,10 +169,13 @@ TEST_SUITE("clearance cases") {
     }
     const Result run = run_of("slider_guide_clearance", {"spin=0"}, {.until = until});
     CHECK(onsets_of(run, "guide front left").front() == doctest::Approx(2.69e-3).epsilon(2e-3));
-    for (const auto& [element, own] : {std::pair{"guide front left", &upper},
-                                       {"guide back left", &upper},
-                                       {"guide front right", &lower},
-                                       {"guide back right", &lower}}) {
+    for (const std::pair<const char*, const OwnContact*>& side :
+         {std::pair<const char*, const OwnContact*>{"guide front left", &upper},
+          {"guide back left", &upper},
+          {"guide front right", &lower},
+          {"guide back right", &lower}}) {
+      const char* element = side.first;
+      const OwnContact* own = side.second;
       const std::vector<double> onsets = onsets_of(run, element);
       INFO(element);
       REQUIRE(onsets.size() == own->onsets.size());
