@@ -74,9 +74,8 @@ Case truss_case() {
           .default_output = "results/truss",
           .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
           .duration = [](const Parameters&) { return 5.0; },
-          .checks = [](const Parameters&, const Model&, const Result& run) {
-            return std::vector<Check>{energy_check(run)};
-          }};
+          .checks = [](const Parameters&, const Model&,
+                       const Result& run) { return std::vector<Check>{energy_check(run)}; }};
 }
 
 }  // namespace yoke::cases

@@ -51,8 +51,8 @@ Model slider_crank(std::optional<Clearance> pin, std::optional<Clearance> guide)
       m.add({.name = "slider", .mass = 0.14, .inertia = 1e-4, .pose = {{r + l, 0.0}, 0.0}});
   m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = {0.0, 0.0}});
   m.add(Revolute{.name = "crank pin", .a = crank, .b = rod, .at = {r, 0.0}});
-  m.add(Revolute{
-      .name = "slider pin", .a = rod, .b = slider, .at = {r + l, 0.0}, .clearance = pin});
+  m.add(
+      Revolute{.name = "slider pin", .a = rod, .b = slider, .at = {r + l, 0.0}, .clearance = pin});
   m.add(Prismatic{
       .name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}, .clearance = guide});
   m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(0.0, omega)});
@@ -111,7 +111,8 @@ TEST_CASE("a bead on a cycloid swings at one period, whatever its amplitude") {
   }
 }
 
-TEST_CASE("a point on a curve with clearance follows the ideal one; a flat end is a second contact") {
+TEST_CASE(
+    "a point on a curve with clearance follows the ideal one; a flat end is a second contact") {
   const Curve wave =
       curve_of([](double u) { return Vec2(u, 0.02 * std::sin(20.0 * u)); }, -0.3, 0.3);
   const auto model = [&](std::optional<Clearance> clearance) {
@@ -130,8 +131,8 @@ TEST_CASE("a point on a curve with clearance follows the ideal one; a flat end i
   const SimulationOptions options{.until = 0.6, .relative_tolerance = 1e-9, .samples = 61};
   const Result ideal = simulate(model({}), options);
   REQUIRE(ideal.summary.ok());
-  const Result real = simulate(
-      model(SlotClearance{.pin_radius = 4.0_mm, .radial = 0.02_mm, .law = law}), options);
+  const Result real =
+      simulate(model(SlotClearance{.pin_radius = 4.0_mm, .radial = 0.02_mm, .law = law}), options);
   INFO(real.summary.reason);
   REQUIRE(real.summary.ok());
   CHECK((real["bead.x_m"] - ideal["bead.x_m"]).cwiseAbs().maxCoeff() < 2.0_mm);
@@ -145,14 +146,13 @@ TEST_CASE("a point on a curve with clearance follows the ideal one; a flat end i
                             .inertia = 1e-5,
                             .pose = {start, 0.0},
                             .twist = {{0.5, 0.0}, 0.0}});
-  m.add(PinInSlot{
-      .name = "slot",
-      .pin = {pin, start, 4.0_mm},
-      .slot = {ground, curve_slot({.centreline = line_segment({-0.1, 0.0}, {0.1, 0.0}),
-                                   .half_width = 4.1_mm,
-                                   .start = SlotEnd::flat,
-                                   .end = SlotEnd::flat})},
-      .law = law});
+  m.add(PinInSlot{.name = "slot",
+                  .pin = {pin, start, 4.0_mm},
+                  .slot = {ground, curve_slot({.centreline = line_segment({-0.1, 0.0}, {0.1, 0.0}),
+                                               .half_width = 4.1_mm,
+                                               .start = SlotEnd::flat,
+                                               .end = SlotEnd::flat})},
+                  .law = law});
   m.add(Gravity{});
   const Result run = simulate(m, {.until = 0.6, .relative_tolerance = 1e-9, .samples = 601});
   REQUIRE(run.summary.ok());
@@ -170,14 +170,12 @@ TEST_CASE("an absorber on the tautochrone has its order at every amplitude") {
   const double period = 2.0 * pi / (n * omega);
   const double lambda = tautochronic_lambda(n), reach = 0.9 * rho0 / lambda;
   for (const double swing : {0.1, 0.5, 0.85}) {
-    const Curve path = absorber_path(
-        {.distance = R0, .order = n, .lambda = lambda, .reach = reach});
+    const Curve path =
+        absorber_path({.distance = R0, .order = n, .lambda = lambda, .reach = reach});
     const Vec2 start = path.at(reach + swing * rho0 / lambda).point;
     Model m;
-    const BodyId rotor = m.add({.name = "rotor",
-                                .mass = 5.0,
-                                .inertia = 0.05,
-                                .twist = {{0.0, 0.0}, omega}});
+    const BodyId rotor =
+        m.add({.name = "rotor", .mass = 5.0, .inertia = 0.05, .twist = {{0.0, 0.0}, omega}});
     const BodyId mass = m.add({.name = "mass",
                                .mass = 0.1,
                                .inertia = 1e-5,
@@ -206,15 +204,14 @@ TEST_CASE("clearances that cannot be are refused by the name of the joint") {
                                       .journal_radius = 0.01, .radial = 0.0, .law = law}});
                  }),
                  "revolute 'pin', clearance: radial = 0 m must be finite and greater than 0 m"));
-  CHECK(contains(message_of([&] {
-                   m.add(Prismatic{.name = "guide",
-                                   .a = ground,
-                                   .b = a,
-                                   .clearance = GuideClearance{.length = 0.1,
-                                                               .width = 0.02,
-                                                               .gap = 1e-4,
-                                                               .law = law,
-                                                               .corner_radius = 0.02}});
-                 }),
-                 "prismatic 'guide', clearance: corner_radius = 0.02 m is outside"));
+  CHECK(contains(
+      message_of([&] {
+        m.add(Prismatic{
+            .name = "guide",
+            .a = ground,
+            .b = a,
+            .clearance = GuideClearance{
+                .length = 0.1, .width = 0.02, .gap = 1e-4, .law = law, .corner_radius = 0.02}});
+      }),
+      "prismatic 'guide', clearance: corner_radius = 0.02 m is outside"));
 }

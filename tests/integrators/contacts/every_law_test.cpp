@@ -81,7 +81,8 @@ TEST_CASE("every elastic law stores and returns in every contact what it does in
   }
 }
 
-TEST_CASE("two free bodies that collide keep momentum and moment, in all contacts and formulations") {
+TEST_CASE(
+    "two free bodies that collide keep momentum and moment, in all contacts and formulations") {
   const ContactLaw law{per_mm(49070, 1.10), HuntCrossley{0.32}};
   for (const AnyContact& contact : every_contact()) {
     Model m;
@@ -101,21 +102,19 @@ TEST_CASE("two free bodies that collide keep momentum and moment, in all contact
       const auto at = [&](const char* column) { return run[column](i); };
       const double px = 0.1 * at("disc.vx_m_per_s") + 0.3 * at("shape.vx_m_per_s");
       const double py = 0.1 * at("disc.vy_m_per_s") + 0.3 * at("shape.vy_m_per_s");
-      const double moment = 1e-5 * at("disc.omega_rad_per_s") + 4e-4 * at("shape.omega_rad_per_s") +
-                            0.1 * (at("disc.x_m") * at("disc.vy_m_per_s") -
-                                   at("disc.y_m") * at("disc.vx_m_per_s")) +
-                            0.3 * (at("shape.x_m") * at("shape.vy_m_per_s") -
-                                   at("shape.y_m") * at("shape.vx_m_per_s"));
+      const double moment =
+          1e-5 * at("disc.omega_rad_per_s") + 4e-4 * at("shape.omega_rad_per_s") +
+          0.1 * (at("disc.x_m") * at("disc.vy_m_per_s") - at("disc.y_m") * at("disc.vx_m_per_s")) +
+          0.3 *
+              (at("shape.x_m") * at("shape.vy_m_per_s") - at("shape.y_m") * at("shape.vx_m_per_s"));
       return Eigen::Vector3d(px, py, moment);
     };
     Eigen::VectorXd first;
     for (const std::string formulation :
          {"arkode-projection", "ida-ggl", "cvode-projection", "adams-baumgarte"}) {
       INFO(contact.name << ", " << formulation);
-      const Result run = simulate(m, {.until = 2e-3,
-                                      .relative_tolerance = 1e-9,
-                                      .formulation = formulation,
-                                      .samples = 3});
+      const Result run = simulate(
+          m, {.until = 2e-3, .relative_tolerance = 1e-9, .formulation = formulation, .samples = 3});
       REQUIRE(run.summary.ok());
       CHECK(run.events.size() >= 2);
       CHECK((momentum(run, 2) - momentum(run, 0)).norm() < 1e-12);
@@ -123,7 +122,6 @@ TEST_CASE("two free bodies that collide keep momentum and moment, in all contact
       const Eigen::VectorXd final = run["disc.omega_rad_per_s"];
       if (first.size() == 0) first = final;
       CHECK(final(2) == Approx(first(2)).epsilon(1e-6));
-
     }
   }
 }
