@@ -23,6 +23,7 @@ Case newtons_cradle_case();
 Case impact_pair_case();
 Case pendulum_stop_case();
 Case slender_bar_case();
+Case ratchet_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -44,6 +45,7 @@ const std::vector<Case>& case_registry() {
       impact_pair_case(),
       pendulum_stop_case(),
       slender_bar_case(),
+      ratchet_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),
