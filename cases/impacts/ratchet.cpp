@@ -221,8 +221,7 @@ Case ratchet_case() {
       .model = [](const Parameters& p,
                   const WallLaws& laws) { return ratchet_model(Ratchet(p), laws); },
       .duration = [](const Parameters& p) { return p.number("cycles") / p.number("frequency"); },
-      .checks = ratchet_checks,
-      .paths = {"driving pawl"}};
+      .checks = ratchet_checks};
 }
 
 }  // namespace yoke::cases
