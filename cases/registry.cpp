@@ -26,6 +26,7 @@ Case slender_bar_case();
 Case slider_crank_clearance_case();
 Case slider_guide_clearance_case();
 Case four_bar_clearance_case();
+Case ratchet_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -53,6 +54,7 @@ const std::vector<Case>& case_registry() {
       impact_pair_case(),
       pendulum_stop_case(),
       slender_bar_case(),
+      ratchet_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),

@@ -281,7 +281,7 @@ ContactChoice cradle_laws() {
         Wall{.name = "discs", .pair = {.pin_radius = r, .wall_radius = r}, .length = 10.0_mm}};
   });
   contact.base = "elastic";
-  std::ranges::rotate(contact.laws, contact.laws.end() - 1);
+  std::rotate(contact.laws.begin(), contact.laws.end() - 1, contact.laws.end());
   return contact;
 }
 

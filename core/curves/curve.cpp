@@ -20,15 +20,12 @@ double turn_between(const Vec2& from, const Vec2& to) {
   return std::atan2(cross(from, to), from.dot(to));
 }
 
-/// Are the segments ab and cd apart along x or along y?
-bool boxes_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return (a.cwiseMax(b).array() < c.cwiseMin(d).array()).any() ||
-         (c.cwiseMax(d).array() < a.cwiseMin(b).array()).any();
-}
-
-/// Do the segments ab and cd have a point in common?
+/// Do the segments ab and cd have a point in common? Their boxes must, which alone tells segments
+/// apart that lie on one line: the sides below are rounding then.
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  if (boxes_apart(a, b, c, d)) return false;  // on one line, rounding decides the sides below
+  if ((a.cwiseMax(b).array() < c.cwiseMin(d).array()).any() ||
+      (c.cwiseMax(d).array() < a.cwiseMin(b).array()).any())
+    return false;
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
   return c_side * d_side <= 0.0 && a_side * b_side <= 0.0 &&

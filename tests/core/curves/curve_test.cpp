@@ -194,6 +194,19 @@ TEST_CASE("a straight line does not cross itself, whatever its direction") {
             [&] { require_simple("track", line_segment(0.08 * up, 0.32 * up)); }) == "no error");
 }
 
+TEST_CASE("a long straight side does not cross itself, whatever its direction") {
+  for (int i = 0; i < 360; ++i) {
+    CAPTURE(i);
+    std::vector<Vec2> points;
+    for (const Vec2& p : {Vec2(0.0, 0.0), Vec2(3.0, 0.0), Vec2(3.0, 1.0), Vec2(0.0, 1.0)})
+      points.push_back(rotate(i * pi / 180.0, p));
+    CHECK_NOTHROW(require_simple("track", polyline(points, {.fillet = 0.1, .closed = true})));
+    // The same with a side that goes back over another.
+    std::swap(points[2], points[3]);
+    CHECK_THROWS_AS(require_simple("track", polyline(points, {.closed = true})), ModelError);
+  }
+}
+
 TEST_CASE("absorber paths have Denman's radius of curvature, the tautochrone its distance") {
   for (const double n : {1.0, 2.0, 3.5})
     for (const double lambda : {0.0, 0.4, tautochronic_lambda(n), 1.0}) {
