@@ -61,9 +61,11 @@ const std::vector<Case>& case_registry();
 const Case& find_case(std::string_view name);
 
 /// The laws of a case to run: `laws` in the order of the case, those of the catalogue after them,
-/// none twice; all named laws of the case if `laws` is empty. Throws ModelError for a law that
-/// neither the case nor the catalogue knows.
-std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws);
+/// none twice; all named laws of the case if `laws` is empty. None if the case has no walls with
+/// these parameters. Throws ModelError for a law that neither the case nor the catalogue knows, and
+/// for one that is not needed.
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws);
 
 /// The mechanism under one law: a name or specification (see contact_choice.hpp), "" for the base
 /// law of the case. Throws ModelError.

@@ -18,6 +18,10 @@ Case slider_crank_case();
 Case quick_return_case();
 Case jansen_leg_case();
 Case scott_russell_platform_case();
+Case cpva_case();
+Case geneva_case();
+Case gear_selector_case();
+Case cam_follower_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -35,6 +39,11 @@ const std::vector<Case>& case_registry() {
       parallelogram_case(),
       scott_russell_platform_case(),
       truss_case(),
+      // slots and cams
+      cpva_case(),
+      geneva_case(),
+      gear_selector_case(),
+      cam_follower_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),
@@ -68,10 +77,17 @@ const Case& find_case(std::string_view name) {
   throw ModelError(fmt::format("unknown case '{}'{}", name, suggestion(name, known)));
 }
 
-std::vector<std::string> choose_laws(const Case& c, const std::vector<std::string>& laws) {
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws) {
   if (c.contact.laws.empty() && !laws.empty())
     throw ModelError(fmt::format("--law {}: case '{}' has no contact laws to choose from",
                                  laws.front(), c.name));
+  if (c.contact.walls && c.contact.walls(parameters).empty()) {
+    if (!laws.empty())
+      throw ModelError(fmt::format("--law {}: with these parameters case '{}' has no contacts",
+                                   laws.front(), c.name));
+    return {};
+  }
   return choose_laws(c.contact, laws);
 }
 

@@ -64,6 +64,10 @@ void print_law_help(const Case& c) {
   for (const NamedLaw& law : c.contact.laws) fmt::print("  {:<28} {}\n", law.name, law.description);
   std::vector<std::string> walls;
   for (const Wall& wall : c.contact.walls(Parameters(c.parameters))) walls.push_back(wall.name);
+  if (walls.empty()) {  // by default the case has no contact
+    fmt::print("\n  With the default parameters it has no contact and takes no law.\n");
+    return;
+  }
   fmt::print(
       "  or any law of 'yoke law list', elastic+dissipative with arguments, also wall by wall\n"
       "  ({}): --law johnson+flores:e=0.8, --law hertz, --law johnson,{}=power:K=1e8,n=1.5\n",
@@ -190,7 +194,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
   const Parameters parameters(c.parameters, o.settings);
-  const std::vector<std::string> laws = choose_laws(c, o.laws);
+  const std::vector<std::string> laws = choose_laws(c, parameters, o.laws);
   for (const std::string& law : laws) make_laws(c.contact, parameters, law);  // says what is wrong
   check_checkpoint_interval(checked_interval(o.checkpoint), c.duration(parameters));
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -56,15 +56,16 @@ TEST_SUITE("scotch-yoke") {
   TEST_CASE("unknown laws and cases are explained") {
     const Case& c = find_case("scotch_yoke");
     CHECK_THROWS_WITH_AS(
-        choose_laws(c, {"jonson"}),
+        choose_laws(c, Parameters(c.parameters), {"jonson"}),
         doctest::Contains("unknown law 'jonson'; did you mean 'johnson'? Known: 'table11-"),
         ModelError);
     CHECK_THROWS_WITH_AS(find_case("scotchyoke"),
                          doctest::Contains("unknown case 'scotchyoke'; did you mean 'scotch_yoke'"),
                          ModelError);
     const std::vector<std::string> chosen{"table11-johnson", "johnson"};
-    CHECK(choose_laws(c, {"johnson", "table11-johnson", "johnson"}) == chosen);
-    CHECK(choose_laws(c, {}).size() == 8);
+    CHECK(choose_laws(c, Parameters(c.parameters), {"johnson", "table11-johnson", "johnson"}) ==
+          chosen);
+    CHECK(choose_laws(c, Parameters(c.parameters), {}).size() == 8);
   }
 
   // The pin's centre, put at radius R + offset from the arc's centre by the closed form, must be

@@ -40,7 +40,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
     {"cases",
-     {"cases/choices", "cases/checks", "cases", "cases/jobs", "cases/validation",
+     {"cases/choices", "cases/checks", "cases", "cases/slots", "cases/jobs", "cases/validation",
       "cases/paper/figures", "cases/paper", "cases/program", "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance

@@ -71,7 +71,7 @@ Case marbles() {
 
 RunRequest request_for(const Case& c, const fs::path& output, std::vector<std::string> laws) {
   return {.parameters = Parameters(c.parameters),
-          .laws = choose_laws(c, laws),
+          .laws = choose_laws(c, Parameters(c.parameters), laws),
           .output = output,
           .samples = 101,
           .plots = false};
