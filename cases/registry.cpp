@@ -27,6 +27,10 @@ Case slider_crank_clearance_case();
 Case slider_guide_clearance_case();
 Case four_bar_clearance_case();
 Case ratchet_case();
+Case cpva_case();
+Case geneva_case();
+Case gear_selector_case();
+Case cam_follower_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -55,6 +59,11 @@ const std::vector<Case>& case_registry() {
       pendulum_stop_case(),
       slender_bar_case(),
       ratchet_case(),
+      // slots and cams
+      cpva_case(),
+      geneva_case(),
+      gear_selector_case(),
+      cam_follower_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),

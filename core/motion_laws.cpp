@@ -191,6 +191,12 @@ double MotionChain::period() const {
   return repeat_ == Repeat::never ? std::numeric_limits<double>::infinity() : end() - begin();
 }
 
+std::vector<double> MotionChain::junctions() const {
+  std::vector<double> arguments;
+  for (const End& e : ends_) arguments.push_back(e.argument);
+  return arguments;
+}
+
 MotionValue MotionChain::inside(std::size_t i, double x) const {
   const End &from = ends_[i], &to = ends_[i + 1];
   const double length = to.argument - from.argument, rise = to.value - from.value;

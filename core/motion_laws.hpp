@@ -98,11 +98,17 @@ class MotionChain {
   /// end - begin, for a motion that repeats; infinite for one that does not.
   double period() const;
 
+  /// Where segments begin, and the end of the last.
+  std::vector<double> junctions() const;
+  bool dwells(std::size_t segment) const { return laws_[segment].at == dwell.at; }
+  /// Of one segment, up to both of its ends, whatever comes before or after; as it is at the nearer
+  /// end for x beyond them.
+  MotionValue inside(std::size_t segment, double x) const;
+
  private:
   struct End {  // of a segment, and the beginning of the next
     double argument, value;
   };
-  MotionValue inside(std::size_t segment, double x) const;
   void add(const MotionSegment& segment);
   void check_velocities() const;
 

@@ -77,17 +77,22 @@ double zero_of_cubic(double h, double y0, double v0, double y1, double v1) {
 /// Where sense (y - level) rises through 0.
 std::vector<double> crossing_times(const Result& run, std::string_view column,
                                    std::string_view rate, double level, double sense) {
-  const Eigen::VectorXd t = run["t_s"], y = run[column], v = run[rate];
-  std::vector<double> times;
-  for (Eigen::Index i = 1; i < t.size(); ++i) {
-    const double y0 = sense * (y[i - 1] - level), y1 = sense * (y[i] - level), h = t[i] - t[i - 1];
-    if (y0 < 0.0 && y1 >= 0.0)
-      times.push_back(t[i - 1] + h * zero_of_cubic(h, y0, sense * v[i - 1], y1, sense * v[i]));
-  }
-  return times;
+  const Eigen::VectorXd y = run[column];
+  return rising_times(run["t_s"], sense * (y.array() - level).matrix(), sense * run[rate]);
 }
 
 }  // namespace
+
+std::vector<double> rising_times(const Eigen::VectorXd& t, const Eigen::VectorXd& y,
+                                 const Eigen::VectorXd& v) {
+  std::vector<double> times;
+  for (Eigen::Index i = 1; i < t.size(); ++i) {
+    const double h = t[i] - t[i - 1];
+    if (y[i - 1] < 0.0 && y[i] >= 0.0)
+      times.push_back(t[i - 1] + h * zero_of_cubic(h, y[i - 1], v[i - 1], y[i], v[i]));
+  }
+  return times;
+}
 
 std::vector<double> rising_times(const Result& run, std::string_view column, std::string_view rate,
                                  double level) {

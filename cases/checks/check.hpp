@@ -55,6 +55,10 @@ std::vector<double> rising_times(const Result& run, std::string_view column, std
 std::vector<double> falling_times(const Result& run, std::string_view column, std::string_view rate,
                                   double level = 0.0);
 
+/// The same of a quantity that is no column: its values y and rates v at the times t of the rows.
+std::vector<double> rising_times(const Eigen::VectorXd& t, const Eigen::VectorXd& y,
+                                 const Eigen::VectorXd& v);
+
 /// The mean distance of the times beside a period [s]; no check if there are fewer than two.
 std::vector<Check> period_check(const Result& run, const std::vector<double>& times, double period);
 

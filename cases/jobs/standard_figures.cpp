@@ -208,12 +208,29 @@ double write_paths(const Table& samples, const Texts& paths, const Path& path) {
   return (high[1] - low[1]) / std::max(high[0] - low[0], 1e-300);
 }
 
-/// Force and penetration of every contact.
-void write_contacts(const LawRun& run, const Path& path) {
+/// Those of the largest forces, as many as are told apart; without those that never touched, if any
+/// did.
+std::vector<ContactRecord> drawn_contacts(const LawRun& run) {
+  std::vector<ContactRecord> kept = run.contacts;
+  if (run.peak_force() > 0.0)
+    std::erase_if(kept, [](const ContactRecord& c) { return c.peak_force == 0.0; });
+  Texts names;
+  for (const ContactRecord& c : kept) names.push_back(c.element);
+  names = largest(names, [&](const std::string& name) {
+    return std::ranges::find(kept, name, &ContactRecord::element)->peak_force;
+  });
+  std::erase_if(kept, [&](const ContactRecord& c) {
+    return std::ranges::find(names, c.element) == names.end();
+  });
+  return kept;
+}
+
+/// Force and penetration of every contact that is drawn.
+void write_contacts(const LawRun& run, const std::vector<ContactRecord>& drawn, const Path& path) {
   const Table& samples = run.samples;
   std::string text = "t_s";
   std::vector<std::pair<std::size_t, std::size_t>> columns;
-  for (const ContactRecord& c : run.contacts) {
+  for (const ContactRecord& c : drawn) {
     columns.emplace_back(samples.index(c.element + ".normal_force_N"),
                          samples.index(c.element + ".penetration_m"));
     text += fmt::format(",{0}.normal_force_N,{0}.penetration_um", c.element);
@@ -468,7 +485,7 @@ Figure portrait_figure(const std::string& case_name, const std::vector<DrawnRun>
 }  // namespace
 
 DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts& paths) {
-  DrawnRun drawn{.law = run.law, .folder = run.folder, .contacts = run.contacts};
+  DrawnRun drawn{.law = run.law, .folder = run.folder, .contacts = drawn_contacts(run)};
   if (run.samples.rows() < 2) return drawn;
   make_output_folder(folder);
   drawn.bodies = bodies_of(run.samples);
@@ -483,7 +500,7 @@ DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts&
     drawn.path_aspect = write_paths(run.samples, paths, folder / data_file("path", drawn));
   write_portraits(run, drawn, folder);
   if (run.contacts.empty()) return drawn;
-  write_contacts(run, folder / data_file("contact", drawn));
+  write_contacts(run, drawn.contacts, folder / data_file("contact", drawn));
   write_hardest(run, folder / data_file("hardest", drawn));
   return drawn;
 }

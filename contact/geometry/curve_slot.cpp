@@ -15,6 +15,7 @@ namespace yoke {
 namespace {
 
 constexpr int none = -1;
+constexpr double slot_end_slack = 1e-9;  // share of a piece that is its end
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_samples = 400;   // of a wall, where it is checked
 constexpr double closeness = 1e-6;  // share of the half-width by which walls may seem to meet
@@ -107,8 +108,15 @@ class CurveSlotProfile {
     if (open && !curve_.closed() && !inside(place, from)) return nearest_edge(p);
     // Behind an end or a corner the foot is the end of the piece, and p is not across from it.
     const SideWall& here = side_of(wall);
-    if (here.before != none && (place.u < here.low || behind(here, p, true))) return here.before;
-    if (here.after != none && (place.u > here.high || behind(here, p, false))) return here.after;
+    // The range of a round region alone does not tell: of a centreline that turns far, it holds
+    // points that are close to other parts.
+    const double slack = slot_end_slack * piece.end();
+    if (here.before != none &&
+        (place.u < here.low || (place.u <= here.low + slack && behind(here, p, true))))
+      return here.before;
+    if (here.after != none &&
+        (place.u > here.high || (place.u >= here.high - slack && behind(here, p, false))))
+      return here.after;
     return wall;
   }
 

@@ -14,6 +14,7 @@ namespace yoke {
 namespace {
 
 constexpr int no_region = -1;
+constexpr double end_slack = 1e-9;  // share of a piece that is its end
 
 /// A point of the wall that sticks out: in the range where `begin` is passed and `end` is not.
 struct Edge {
@@ -75,8 +76,12 @@ class WallProfile {
   int nearest(const Vec2& p) const {
     const CurvePlace place = curve_.nearest_local(p);
     const int here = static_cast<int>(place.piece);
-    for (const int edge : {before_[place.piece], after_[place.piece]})
-      if (edge != no_region && !is_wall(edge) && boundary(edge, p) < 0.0) return edge;
+    // Beyond an end or a corner the nearest point of the piece is that end. The edge's own range does
+    // not tell: of a curve that turns far, it holds points that are close to other parts.
+    const double end = curve_.piece(place.piece).end(), slack = end_slack * end;
+    for (const auto& [edge, there] : {std::pair{before_[place.piece], place.u <= slack},
+                                      {after_[place.piece], place.u >= end - slack}})
+      if (there && edge != no_region && !is_wall(edge) && boundary(edge, p) < 0.0) return edge;
     if (first_edge_ != no_region && touch(here, p).distance > wall_.thickness) {
       const auto away = [&](int edge) { return (p - edge_of(edge).point).squaredNorm(); };
       return away(first_edge_) < away(last_edge_) ? first_edge_ : last_edge_;

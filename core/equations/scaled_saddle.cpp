@@ -81,12 +81,15 @@ std::vector<double> metric_of_masses(const System& system) {
 }
 
 std::vector<double> metric_of_lengths(System& system) {
-  const double length = system.natural_length();
+  // A lever below this share of the natural length is zero but for rounding, or happens to be small in
+  // the start pose: a pin that enters a slot along it.
+  constexpr double no_lever = 1e-6;
+  const double length = system.natural_length(), least = std::pow(no_lever * length, 2);
   std::vector<double> weights(at(system.dofs()), 1.0);
   const std::vector<double> arms = system.squared_arms();
   for (std::size_t body = 0; body < arms.size(); ++body)
     weights[3 * body + 2] =
-        arms[body] > 0.0 && std::isfinite(arms[body]) ? arms[body] : length * length;
+        arms[body] > least && std::isfinite(arms[body]) ? arms[body] : length * length;
   return weights;
 }
 

@@ -44,8 +44,13 @@ Curve s_bend() {
                         0.04 * Vec2(std::cos(1.2), std::sin(1.2)))});
 }
 
+/// Turns further than half a circle: its ends' directions point at other parts of it.
+Curve hook() {
+  return circular_arc({.center = {0.02, 0.01}, .radius = 0.04, .start = 0.4, .angle = 5.0});
+}
+
 std::vector<CurveSlot> all_slots() {
-  std::vector<CurveSlot> slots = {along(bent()), along(wave()), along(s_bend())};
+  std::vector<CurveSlot> slots = {along(bent()), along(wave()), along(s_bend()), along(hook())};
   for (const SlotEnd end : {SlotEnd::flat, SlotEnd::open}) {
     slots.push_back(along(s_bend()));
     slots.back().end = end;

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// A rotor with centrifugal pendulum absorbers: masses that roll on paths in the rotor and, driven by
+// the torque of an engine, swing against it.
+//
+//            path, radius of curvature rho0 at its vertex
+//        .--(o)--.                R0  from the axis to the vertex
+//      .'         '.              n   order: swings in a turn of the rotor, n^2 = (R0 - rho0)/rho0
+//     |      +      | Omega       s   of a mass along its path, from the vertex
+//      '.         .'
+//        '--(o)--'
+//
+// At constant speed:  s'^2 = Omega^2 (|r(s)|^2 - |r(s_max)|^2), and so the order of a swing of s_max
+//   circle        sqrt(R/rho0) pi / (2 K(sin(a/2)))   R = R0 - rho0, a = s_max/rho0, K elliptic
+//   tautochrone   n: |r|^2 = R0^2 - n^2 s^2
+//   cycloid       by quadrature
+// With a torque T sin(n theta) on the free rotor, small swings:
+//   without absorbers        theta'' = T/(I + N m R0^2) sin(n theta), the masses held
+//   with absorbers, order n  theta'' = 0, s = -s_max sin(n theta), s_max = T/(N m R0 n^2 Omega^2)
+//
+// What should happen. With masses on tautochrones what remains of the ripple has twice the order and
+// grows with the square of the swing. On circles large swings have a lower order, and part
+// of the ripple stays. Rollers with clearance stay on the outer walls of their slots.
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <complex>
+
+#include <yoke/cases/case.hpp>
+#include <yoke/cases/slots/machine_laws.hpp>
+#include <yoke/contact/clearance.hpp>
+#include <yoke/core/curves/absorber_paths.hpp>
+#include <yoke/core/units.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/applied_torque.hpp>
+#include <yoke/joints/point_on_curve.hpp>
+#include <yoke/joints/revolute.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+using namespace yoke::literals;
+
+constexpr double roller_radius = 4.0_mm;
+
+struct Cpva {
+  std::string path;
+  bool driven;
+  int number;
+  double order, distance, swing;    // swing [rad]: s_max over rho0
+  double mass, inertia;             // [kg] of one absorber, [kg m^2] of the rotor
+  double omega, torque, clearance;  // [rad/s], [N m], [m]
+
+  explicit Cpva(const Parameters& p)
+      : path(p.word("path")),
+        driven(p.word("rotor") == "driven"),
+        number(p.whole("number")),
+        order(p.number("order")),
+        distance(p.number("distance")),
+        swing(p.number("swing")),
+        mass(p.number("mass")),
+        inertia(p.number("inertia")),
+        omega(p.number("speed") * pi / 30.0),
+        torque(p.number("torque")),
+        clearance(p.number("clearance")) {
+    if (driven && number == 0)
+      throw ModelError("cpva: number = 0 with rotor = driven: nothing swings; accepted is 1 to 4");
+    if (real() && !(radius() > 2.0 * half_width()))
+      throw ModelError(fmt::format(
+          "cpva: distance = {:g} mm and order = {:g} give a path of radius {:g} mm; with "
+          "clearance it must be greater than {:g} mm, twice the half-width of the slot",
+          1e3 * distance, order, 1e3 * radius(), 2e3 * half_width()));
+    if (number > 0 && !(1.02 * largest() < reach()))
+      throw ModelError(fmt::format(
+          "cpva: {} makes the masses swing by {:g} mm along the path; it ends at {:g} "
+          "mm, so that {} must be less than {:g}{}",
+          driven ? "swing" : "torque", 1e3 * largest(), 1e3 * reach(), driven ? "swing" : "torque",
+          (driven ? swing * 180.0 / pi : torque) * reach() / (1.02 * largest()),
+          driven ? " deg" : " N m"));
+  }
+
+  bool real() const { return clearance > 0.0; }
+  double half_width() const { return roller_radius + clearance; }
+  double radius() const { return distance / (1.0 + order * order); }  // rho0
+  double lambda() const {
+    return path == "circle" ? 0.0 : path == "cycloid" ? 1.0 : tautochronic_lambda(order);
+  }
+  /// [m] of the path, along it: short of its cusp, and of where a slot would have none inside.
+  double reach() const {
+    if (path == "circle") return (real() ? 2.2 : 2.8) * radius();
+    const double least = real() ? 1.3 * half_width() / radius() : 0.0;  // radius of curvature there
+    return std::min(0.97, std::sqrt(1.0 - least * least)) * radius() / lambda();
+  }
+  /// [m] s_max.
+  double largest() const {
+    if (driven) return swing * radius();
+    return torque / (number * mass * distance * order * order * omega * omega);
+  }
+  double swing_ratio() const { return largest() / radius(); }
+  /// Of the ideal path of the mass i.
+  Curve curve(int i) const {
+    return absorber_path({.direction = 2.0 * pi * i / number,
+                          .distance = distance,
+                          .order = order,
+                          .lambda = lambda(),
+                          .reach = reach()});
+  }
+  /// Rotor and masses held at their vertices.
+  double held_inertia() const { return inertia + number * mass * distance * distance; }
+
+  double order_of_swing() const;
+};
+
+/// At constant speed, for a swing of s_max.
+double Cpva::order_of_swing() const {
+  if (path == "tautochrone") return order;
+  if (path == "circle") return order * 0.5 * pi / boost::math::ellint_1(std::sin(0.5 * swing));
+  // A quarter of a period, in which the rotor turns by the integral of ds/sqrt(|r(s)|^2 -
+  // |r(s_max)|^2): with s = s_max sin(x) the integrand is smooth and periodic, and the midpoint rule
+  // exact to rounding. The difference of the squares is -2 times the integral of r.t.
+  const Curve c = curve(0);
+  const double top = largest(), end = c.at(reach() + top).point.squaredNorm();
+  constexpr int parts = 400;
+  double quarter = 0.0;
+  for (int k = 0; k < parts; ++k) {
+    const double x = 0.5 * pi * (k + 0.5) / parts, s = top * std::sin(x);
+    quarter += top * std::cos(x) / std::sqrt(c.at(reach() + s).point.squaredNorm() - end) * 0.5 *
+               pi / parts;
+  }
+  return 0.5 * pi / quarter;
+}
+
+std::string mass_name(int i) { return fmt::format("mass {}", i + 1); }
+
+Model cpva_model(const Cpva& c, const WallLaws& laws) {
+  Model m;
+  const BodyId rotor = m.add(
+      Body{.name = "rotor", .mass = 5.0, .inertia = c.inertia, .twist = {{0.0, 0.0}, c.omega}});
+  m.add(Revolute{.name = "bearing", .a = ground, .b = rotor, .at = {0.0, 0.0}});
+  if (c.driven) {
+    m.add(AngleDriver{.name = "motor", .body = rotor, .angle = constant_speed(0.0, c.omega)});
+  } else {
+    const double T = c.torque, n = c.order;
+    m.add(applied_torque("engine", rotor,
+                         [T, n](auto, const auto& body) { return T * sin(n * body.angle); }));
+  }
+  for (int i = 0; i < c.number; ++i) {
+    const Curve path = c.curve(i);
+    // At rest in the rotor at the end of the swing, or at the vertex with the speed of the swing.
+    const CurvePoint at = path.at(c.reach() + (c.driven ? c.largest() : 0.0));
+    const double speed = c.driven ? 0.0 : -c.order * c.omega * c.largest();
+    Vec2 start = at.point;
+    if (c.real()) {  // on the outer wall, pressed by what curves its way
+      const Vec2 out = -perp(at.tangent);
+      const double force = c.mass * (c.omega * c.omega * at.point.dot(out) + 2.0 * c.omega * speed +
+                                     at.curvature * speed * speed);
+      start += (c.clearance + laws["wall"].elastic.penetration_at(force)) * out;
+    }
+    const BodyId mass = m.add(Body{.name = mass_name(i),
+                                   .mass = c.mass,
+                                   .inertia = 0.5 * c.mass * roller_radius * roller_radius,
+                                   .pose = {start, 0.0},
+                                   .twist = {c.omega * perp(start) + speed * at.tangent, 0.0}});
+    PointOnCurve joint{
+        .name = fmt::format("path {}", i + 1), .a = mass, .at = start, .b = rotor, .curve = path};
+    if (c.real())
+      joint.clearance =
+          SlotClearance{.pin_radius = roller_radius, .radial = c.clearance, .law = laws["wall"]};
+    m.add(joint);
+  }
+  return m;
+}
+
+/// Amplitude of theta'' in its part of order `n`, as a function of theta, over the whole run; a
+/// window of Hann keeps other orders out.
+double ripple(const Result& run, double n) {
+  const Eigen::VectorXd angle = run["rotor.angle_rad"], alpha = run["rotor.alpha_rad_per_s2"],
+                        omega = run["rotor.omega_rad_per_s"];
+  const double from = angle[0], turned = angle[angle.size() - 1] - from;
+  std::complex<double> sum = 0.0;
+  double weights = 0.0;
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
+    const double w = omega[i] * std::pow(std::sin(pi * (angle[i] - from) / turned), 2);
+    weights += w;
+    sum += w * alpha[i] * std::polar(1.0, -n * angle[i]);
+  }
+  return 2.0 * std::abs(sum) / weights;
+}
+
+/// Sideways in the rotor, with its rate: where it rises through 0 the mass passes its vertex.
+std::vector<double> vertex_times(const Result& run) {
+  const Eigen::VectorXd t = run["t_s"], angle = run["rotor.angle_rad"],
+                        omega = run["rotor.omega_rad_per_s"], x = run["mass 1.x_m"],
+                        y = run["mass 1.y_m"], vx = run["mass 1.vx_m_per_s"],
+                        vy = run["mass 1.vy_m_per_s"];
+  Eigen::VectorXd side(t.size()), rate(t.size());
+  for (Eigen::Index i = 0; i < t.size(); ++i) {
+    const Vec2 across = rotate(angle[i], {0.0, 1.0}), r(x[i], y[i]);
+    side[i] = across.dot(r);
+    rate[i] = across.dot(Vec2(vx[i], vy[i]) - omega[i] * perp(r));
+  }
+  return rising_times(t, side, rate);
+}
+
+std::vector<Check> cpva_checks(const Cpva& c, const Result& run) {
+  std::vector<Check> checks;
+  if (c.driven) {
+    const std::vector<double> times = vertex_times(run);
+    if (times.size() >= 2) {
+      const double swings = static_cast<double>(times.size() - 1);
+      const double expected = c.order_of_swing(), period = 2.0 * pi / (expected * c.omega);
+      // A roller with clearance runs beside the path.
+      const double aside = c.real() ? 4.0 * c.clearance / c.radius() : 0.0;
+      checks.push_back({.what = fmt::format("order of a swing of {:g} deg", c.swing * 180.0 / pi),
+                        .value = 2.0 * pi * swings / (c.omega * (times.back() - times.front())),
+                        .expected = expected,
+                        .tolerance = expected * (tolerance_of(run, 1.0) + aside +
+                                                 interpolation_error(run, period)),
+                        .remark = c.path == "cycloid" ? "quadrature" : "closed form"});
+    }
+  } else {
+    const double held = c.torque / c.held_inertia();
+    const bool alone = c.number == 0, tuned = c.path == "tautochrone";
+    checks.push_back(
+        {.what = fmt::format("ripple of order {:g} over that with the masses held", c.order),
+         .value = held > 0.0 ? ripple(run, c.order) / held : 0.0,
+         .expected = alone ? 1.0 : 0.0,
+         .tolerance = alone   ? 1e-3
+                      : tuned ? std::pow(c.swing_ratio(), 2)
+                              : 1.0,
+         .remark = alone   ? "closed form"
+                   : tuned ? "for small swings; tolerance (s_max/rho0)^2"
+                           : "for small swings; large ones are out of tune"});
+  }
+  checks.push_back(energy_check(run));
+  return checks;
+}
+
+}  // namespace
+
+Case cpva_case() {
+  return {
+      .name = "cpva",
+      .group = "slots and cams",
+      .description = "rotor with centrifugal pendulum absorbers on circles, cycloids, tautochrones",
+      .parameters = {{.name = "path",
+                      .default_text = "tautochrone",
+                      .words = {"circle", "cycloid", "tautochrone"},
+                      .description = "of the masses; the tautochrone is an epicycloid"},
+                     {.name = "rotor",
+                      .default_text = "free",
+                      .words = {"free", "driven"},
+                      .description = "under the engine's torque, or turning at constant speed"},
+                     {.name = "number",
+                      .quantity = Quantity::number,
+                      .default_text = "2",
+                      .low = 0,
+                      .high = 4,
+                      .whole = true,
+                      .description = "of absorbers; 0: the rotor alone"},
+                     {.name = "order",
+                      .quantity = Quantity::number,
+                      .default_text = "2",
+                      .low = 0.5,
+                      .high = 8.0,
+                      .description = "n of the paths, for small swings, and of the torque"},
+                     {.name = "distance",
+                      .quantity = Quantity::length,
+                      .default_text = "125mm",
+                      .low = 10.0_mm,
+                      .high = 1000.0_mm,
+                      .description = "R0, from the axis to the vertex of a path"},
+                     {.name = "swing",
+                      .quantity = Quantity::angle,
+                      .default_text = "30deg",
+                      .low = 0.01_deg,
+                      .high = 160.0_deg,
+                      .description = "s_max over rho0, rotor = driven"},
+                     {.name = "torque",
+                      .quantity = Quantity::number,
+                      .default_text = "100",
+                      .low = 0.0,
+                      .high = 1e6,
+                      .description = "T of the engine, in N m, rotor = free"},
+                     {.name = "mass",
+                      .quantity = Quantity::number,
+                      .default_text = "0.5",
+                      .low = 1e-3,
+                      .high = 100.0,
+                      .description = "of one absorber, in kg"},
+                     {.name = "inertia",
+                      .quantity = Quantity::number,
+                      .default_text = "0.1",
+                      .low = 1e-5,
+                      .high = 1000.0,
+                      .description = "of the rotor without absorbers, in kg m^2"},
+                     {.name = "speed",
+                      .quantity = Quantity::number,
+                      .default_text = "1200",
+                      .low = 1.0,
+                      .high = 1e5,
+                      .description = "of the rotor at the start, in revolutions per minute"},
+                     {.name = "clearance",
+                      .quantity = Quantity::length,
+                      .default_text = "0mm",
+                      .low = 0.0,
+                      .high = 1.0_mm,
+                      .description =
+                          "of rollers of 4 mm in slots, to each side; 0: held on their paths"},
+                     {.name = "turns",
+                      .quantity = Quantity::number,
+                      .default_text = "10",
+                      .low = 0.1,
+                      .high = 10000.0,
+                      .description = "of the rotor"}},
+      .contact = machine_laws([](const Parameters& p) {
+        const Cpva c(p);
+        if (!c.real() || c.number == 0) return std::vector<Wall>{};
+        return std::vector<Wall>{{.name = "wall",
+                                  .pair = {.pin_radius = roller_radius,
+                                           .wall_radius = c.radius() + c.half_width(),
+                                           .conformity = Conformity::internal},
+                                  .length = 10.0_mm}};
+      }),
+      .default_output = "results/cpva",
+      .model = [](const Parameters& p, const WallLaws& laws) { return cpva_model(Cpva(p), laws); },
+      .duration = [](const Parameters& p) { return p.number("turns") * 60.0 / p.number("speed"); },
+      .checks = [](const Parameters& p, const Model&,
+                   const Result& run) { return cpva_checks(Cpva(p), run); },
+      .recorded_rows = [](const Parameters&) { return 20000.0; }};
+}
+
+}  // namespace yoke::cases
