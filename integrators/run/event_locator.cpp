@@ -56,6 +56,7 @@ double EventLocator::locate(Formulation& formulation, Step step, double from, St
   if (step == Step::event) locate_passed(formulation, from, scratch);
   const double to = formulation.time();
   if (looks_ && to > from) look_inside(formulation, step, from, to, scratch);
+  if (step == Step::event && t_fired_ < to) add_simultaneous(formulation, scratch);
   return std::min(t_fired_, to);
 }
 
@@ -66,6 +67,16 @@ void EventLocator::locate_passed(Formulation& formulation, double from, State& s
     note(std::min(locate_crossing(formulation, slot, from, formulation.time(), scratch),
                   formulation.time()),
          slot);
+}
+
+/// What was found later, but by rounding only: its function has crossed zero here already, and a
+/// restart from here would not see it cross.
+void EventLocator::add_simultaneous(Formulation& formulation, State& scratch) {
+  formulation.interpolate(t_fired_, scratch);
+  calc(scratch);
+  for (const std::vector<int>* slots : {&formulation.fired(), &formulation.passed()})
+    for (const int slot : *slots)
+      if (values_[static_cast<std::size_t>(slot)] >= 0.0) note(t_fired_, slot);
 }
 
 /// The first win, and all that fire at one instant.

@@ -46,6 +46,7 @@ class EventLocator {
   };
 
   void locate_passed(Formulation& formulation, double from, State& scratch);
+  void add_simultaneous(Formulation& formulation, State& scratch);
   void look_inside(Formulation& formulation, Step step, double from, double to, State& scratch);
   double first_crossing(Formulation& formulation, const Watched& w, std::size_t last, double from,
                         double to, State& scratch);
