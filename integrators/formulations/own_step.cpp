@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
+#include <cstdio>  // what the header below uses and does not include
+
 #include <arkode/arkode_butcher_erk.h>
 
 #include <yoke/integrators/formulations/own_step.hpp>
