@@ -218,6 +218,7 @@ std::string to_json(const Summary& s) {
       {"formulation", s.formulation},
       {"formulation_reason", s.formulation_reason},
       {"relative_tolerance", s.relative_tolerance},
+      {"tolerance_kept", std::max(s.relative_tolerance, s.tolerance_kept)},
       {"length_scale_m", s.length_scale},
       {"time_scale_s", s.time_scale},
       {"t_start_s", s.t_start},

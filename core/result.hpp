@@ -74,6 +74,7 @@ struct Summary {
   std::string formulation;         // which one ran
   std::string formulation_reason;  // why
   double relative_tolerance = 0.0;
+  double tolerance_kept = 0.0;     // what was kept where that was out of reach; 0: it never was
   double length_scale = 0.0;       // [m] used in the error weights
   double time_scale = 0.0;         // [s]
   double t_start = 0.0;            // [s]

@@ -21,6 +21,7 @@
 #include <yoke/integrators/run/start/automatic_choice.hpp>
 #include <yoke/integrators/run/start/error_weights.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
+#include <yoke/integrators/run/start/trial.hpp>
 #include <yoke/integrators/sundials/callback_failure.hpp>
 
 namespace yoke {
@@ -28,11 +29,10 @@ namespace yoke {
 namespace {
 
 constexpr double dead_point_reach =
-    0.1;  // of the time scale: how far ahead a dead point is looked for
-// A run that fails is tried with a tolerance this much looser; it helps if it gets this part of the
-// time scale further.
-constexpr double much_looser = 1e3, short_way = 1e-6;
-constexpr int trial_steps = 2000;
+    0.1;                             // of the time scale: how far ahead a dead point is looked for
+constexpr double much_looser = 1e3;  // tolerance with which a run that stops is tried
+// A tolerance below this may turn out to be out of reach on the way; then so much more is allowed.
+constexpr double close_to_rounding = 1e-10, easier = 10.0;
 constexpr double shortest_rest = 1e-14;  // of the end time
 
 constexpr const char* automatic = "automatic";
@@ -73,7 +73,9 @@ class Run {
   std::string dead_point();
   bool reaches_impasse(double t);
   std::string end_of_motion();
+  double relative_tolerance() const;
   bool looser_tolerance_helps(const State& there);
+  bool goes_on_with_less();
   std::string blame();
   std::string explain_stop(double t, Step step);
   bool fail_at(double t, Step step);
@@ -187,9 +189,15 @@ void Run::choose_formulation_anew() {
   make_formulation();
 }
 
+double Run::relative_tolerance() const {
+  return std::max(options_.relative_tolerance, result_.summary.tolerance_kept);
+}
+
 void Run::make_formulation() {
+  SimulationOptions options = options_;
+  options.relative_tolerance = relative_tolerance();
   formulation_ = guard_singular_positions(
-      entry_, dynamics_, choose_tolerances(dynamics_.system(), state_, options_),
+      entry_, dynamics_, choose_tolerances(dynamics_.system(), state_, options),
       [this](const SingularPosition& position) { record_singular_position(position); });
 }
 
@@ -366,27 +374,33 @@ bool Run::reaches_impasse(double t) {
 /// Does the formulation get on from there if less is asked of it? Then the tolerance is too tight.
 bool Run::looser_tolerance_helps(const State& there) {
   SimulationOptions options = options_;
-  options.relative_tolerance = std::min(much_looser * options.relative_tolerance, 1e-2);
-  if (options.relative_tolerance < 2.0 * options_.relative_tolerance) return false;
-  const double enough =
-      std::min(options_.until, there.t + std::max(1e6 * formulation_->last_step(),
-                                                  short_way * dynamics_.system().scales().time));
-  try {
-    State from = there;
-    if (!dynamics_.project(from)) return false;
-    dynamics_.reset();
-    const auto trial = guard_singular_positions(
-        entry_, dynamics_, choose_tolerances(dynamics_.system(), from, options),
-        [](const SingularPosition&) {});
-    trial->start(from);
-    for (int i = 0; i < trial_steps; ++i) {
-      const Step step = trial->step(options_.until);
-      if (step == Step::failed) return false;
-      if (step == Step::event || trial->time() >= enough) return trial->time() > there.t;
-    }
-  } catch (const std::exception&) {
+  options.relative_tolerance = std::min(much_looser * relative_tolerance(), 1e-2);
+  if (options.relative_tolerance < 2.0 * relative_tolerance()) return false;
+  return gets_on(entry_, dynamics_, there, options, formulation_->last_step());
+}
+
+/// A tolerance close to rounding may be out of reach: noise that no floor of the error weights
+/// foresaw. Then the run goes on with less, and says so.
+bool Run::goes_on_with_less() {
+  if (!(easier * relative_tolerance() <= close_to_rounding) ||
+      !dynamics_.system().not_finite().empty())
+    return false;
+  State there = last_good_state();
+  if (!dynamics_.project(there) || !looser_tolerance_helps(there) || !end_of_motion().empty()) {
+    dynamics_.system().bind(state_);
+    return false;
   }
-  return false;
+  cost_.write(dynamics_, *formulation_, result_.summary);
+  note_rounding();
+  cost_.close(dynamics_, result_.summary);
+  state_ = std::move(there);
+  result_.summary.tolerance_kept = easier * relative_tolerance();
+  result_.summary.notes.push_back(fmt::format(
+      "rounding: at t = {:.9g} s the tolerance was out of reach; from there it was {:g}", state_.t,
+      relative_tolerance()));
+  standstill_.restart(state_.t);
+  start_anew();
+  return true;
 }
 
 /// Who is to blame for a step that fails, and what to try.
@@ -419,7 +433,7 @@ bool Run::fail_at(double t, Step step) {
 bool Run::advance() {
   const Step step = formulation_->step(checkpoints_.next_stop());
   const double t = step == Step::failed ? formulation_->time() : locate_events(step);
-  if (step == Step::failed || standstill_.stalls(t)) return fail_at(t, step);
+  if (step == Step::failed || standstill_.stalls(t)) return goes_on_with_less() || fail_at(t, step);
   const bool at_event = !locator_.fired().empty();
   standstill_.note_step(formulation_->last_step());
   // A sample exactly at the event is taken after it, from the projected state.
@@ -476,7 +490,7 @@ void Run::note_rounding() {
   result_.summary.notes.push_back(
       fmt::format("rounding: positions and velocities are not known to the tolerance of {:g} "
                   "everywhere; where it was out of reach up to {:.2g} times as much was allowed",
-                  result_.summary.relative_tolerance, raised));
+                  relative_tolerance(), raised));
 }
 
 void Run::summarise() {

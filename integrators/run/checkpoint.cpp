@@ -61,6 +61,7 @@ void visit_summary(S& s, Visit&& visit) {
   visit("formulation", s.formulation);
   visit("formulation_reason", s.formulation_reason);
   visit("relative_tolerance", s.relative_tolerance);
+  visit("tolerance_kept", s.tolerance_kept);
   visit("length_scale", s.length_scale);
   visit("time_scale", s.time_scale);
   visit("t_start", s.t_start);

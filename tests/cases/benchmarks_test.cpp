@@ -5,6 +5,7 @@
 // formulation, and the references they are compared with.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -135,4 +136,18 @@ TEST_CASE("a benchmark that is cut or unknown says so") {
   CHECK(tests::contains(r.trouble, "cut after"));
   CHECK(r.reached < all.front().until);
   CHECK_FALSE(r.meets(all.front().bars));
+}
+
+TEST_CASE("a run that finds its tolerance out of reach goes on with less, and says so") {
+  const Model m = n_four_bar({.loops = 40});
+  const Result run =
+      simulate(m, {.until = 1.0, .relative_tolerance = 1e-12, .formulation = "cvode-projection"});
+  REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+  CHECK(run.summary.tolerance_kept == 1e-11);
+  CHECK(std::ranges::any_of(run.summary.notes, [](const std::string& note) {
+    return note.find("the tolerance was out of reach; from there it was") != std::string::npos;
+  }));
+  const Result looser =
+      simulate(m, {.until = 1.0, .relative_tolerance = 1e-11, .formulation = "arkode-projection"});
+  CHECK((run.final.q - looser.final.q).cwiseAbs().maxCoeff() < 1e-7);
 }
