@@ -29,14 +29,14 @@ void ContactElement::calc_events(const ForceInput& in, double* g) const {
 
 void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
-  const double d = geometry_->penetration(in.motion, watched_region(in, memory));
   if (!remembers(in, memory)) {
-    g[onset] = d - memory.release_penetration;
     ContactKinematics k;
-    geometry_->calc_kinematics(in.motion, geometry_->nearest(in.motion), false, k);
+    geometry_->calc_kinematics(in.motion, watched_region(in, memory), false, k);
+    g[onset] = k.penetration - memory.release_penetration;
     g[closest] = -rate(k, in.motion) - slowest_recession * in.scales.length / in.scales.time;
     return;
   }
+  const double d = geometry_->penetration(in.motion, memory.region);
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
   if (lifted(in, memory)) {
     g[onset] = calc_regain(in, d);

@@ -65,7 +65,7 @@ struct DiscInHole {
   std::string name;
   Disc disc;
   Hole hole;
-  ContactLaw law;
+  WallLaw law;
   double reference_force = 100.0;  // [N] as above
 
   std::unique_ptr<ForceElement> build(const Model& model) const;
@@ -76,7 +76,7 @@ struct DiscOnDisc {
   std::string name;
   Disc disc;
   Disc other;
-  ContactLaw law;
+  WallLaw law;
   double reference_force = 100.0;  // [N] as above
 
   std::unique_ptr<ForceElement> build(const Model& model) const;

@@ -29,6 +29,7 @@ struct SlotLaws {
   SlotLaws(ContactLaw all) : inner(all), outer(all), cap(std::move(all)) {}
   SlotLaws(ContactLaw at_inner, ContactLaw at_outer, ContactLaw at_cap)
       : inner(std::move(at_inner)), outer(std::move(at_outer)), cap(std::move(at_cap)) {}
+  SlotLaws(WallLaw all) : each(std::move(all)) {}
   template <class F>
   requires std::is_invocable_r_v<ContactLaw, const F&, const SlotWall&> SlotLaws(
       F of_wall, Radii radii = Radii::local)

@@ -84,7 +84,7 @@ void put(Scene& scene, const Vec2& p, const Row6& v, ContactPhase phase) {
   // The pose of a at the start had its centre at the origin, the disc at ellipse_at(0).
   const Vec2 q = p - rotate(0.3, ellipse_at(0.0));
   scene.set({q.x(), q.y(), 0.3, 0.0, 0.0, 0.0}, v);
-  scene.initialise();
+  scene.touch();
   scene.memory.phase = phase;
   scene.memory.approach_velocity = 0.4;
   scene.memory.effective_mass = 0.83;

@@ -26,8 +26,6 @@ PolynomialPiece::PolynomialPiece(std::vector<Cell> cells, int degree, bool close
   lengths_.assign(1, 0.0);
   for (std::size_t i = 0; i < cells_.size(); ++i)
     lengths_.push_back(lengths_.back() + cell_length(i, -1.0, 1.0));
-  make_samples();
-  make_grid();
 }
 
 PolynomialPiece::Place PolynomialPiece::place_of(double u) const {
@@ -93,7 +91,7 @@ std::optional<CurvatureChange> PolynomialPiece::curvature_change(double u) const
 /// Newton's method on (c - p) . c' = 0 from the nearest sample; where the distance is no minimum to
 /// go for, half a cell downhill.
 double PolynomialPiece::foot(const Vec2& p) const {
-  double u = seed(p);
+  double u = static_cast<double>(grid().nearest(p)) / samples_per_cell;
   for (int i = 0; i < most_iterations; ++i) {
     const Jet j = jet(u);
     const Vec2 from = j.c - p;
@@ -110,14 +108,24 @@ double PolynomialPiece::foot(const Vec2& p) const {
 
 // ---- where to begin ----
 
-void PolynomialPiece::make_samples() {
+std::vector<Vec2> PolynomialPiece::make_samples() const {
   const int count = samples_per_cell * static_cast<int>(cells_.size()) + (closed_ ? 0 : 1);
-  samples_.reserve(static_cast<std::size_t>(count));
+  std::vector<Vec2> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
-    samples_.push_back(jet(static_cast<double>(i) / samples_per_cell).c);
+    samples.push_back(jet(static_cast<double>(i) / samples_per_cell).c);
+  return samples;
 }
 
-void PolynomialPiece::make_grid() {
+const SeedGrid& PolynomialPiece::make_grid() const {
+  std::call_once(grid_made_, [this] {
+    grid_ = std::make_unique<const SeedGrid>(make_samples());
+    ready_grid_.store(grid_.get(), std::memory_order_release);
+  });
+  return *grid_;
+}
+
+SeedGrid::SeedGrid(std::vector<Vec2> samples) : samples_(std::move(samples)) {
   Vec2 low = samples_.front(), high = low;
   for (const Vec2& s : samples_) low = low.cwiseMin(s), high = high.cwiseMax(s);
   const double size = (high - low).maxCoeff();
@@ -146,7 +154,7 @@ void PolynomialPiece::make_grid() {
   first_.push_back(static_cast<int>(candidates_.size()));
 }
 
-double PolynomialPiece::seed(const Vec2& p) const {
+std::size_t SeedGrid::nearest(const Vec2& p) const {
   const Vec2 place = (p - corner_) / side_;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -162,7 +170,7 @@ double PolynomialPiece::seed(const Vec2& p) const {
   } else {
     for (std::size_t i = 0; i < samples_.size(); ++i) consider(i);
   }
-  return static_cast<double>(best) / samples_per_cell;
+  return best;
 }
 
 // ---- lengths ----
