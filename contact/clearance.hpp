@@ -16,7 +16,7 @@ namespace yoke {
 struct BearingClearance {
   double journal_radius = 0.0;  // [m] > 0
   double radial = 0.0;          // [m] > 0, radius of the bore minus that of the journal
-  ContactLaw law;
+  WallLaw law;
   double reference_force = 100.0;  // [N] its penetration sets the error weights
 
   Elements elements(const Model& model, const JointPlace& place) const;
@@ -28,7 +28,7 @@ struct GuideClearance {
   double length = 0.0;  // [m] > 0 of the block, along the guide
   double width = 0.0;   // [m] > 0 of the block, across
   double gap = 0.0;     // [m] > 0 between block and wall on each side, the block in the middle
-  ContactLaw law;
+  WallLaw law;
   double corner_radius = 0.0;      // [m] >= 0 of the block's corners, within its outline
   double reference_force = 100.0;  // [N] as above
 

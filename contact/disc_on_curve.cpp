@@ -34,7 +34,8 @@ std::unique_ptr<ForceElement> DiscOnCurve::build(const Model& model) const {
                             .disc_radius = disc.radius,
                             .thickness = thickness});
   wall.check_shape(owner);
-  std::vector<ContactLaw> laws(wall.regions().size(), law);
+  std::vector<ContactLaw> laws =
+      laws_along(owner, wall, disc.radius, reference_force, [this](SlotRegion) { return law; });
   return std::make_unique<ContactElement>(
       name, disc.body, body,
       std::make_unique<DiscGeometry>(model, disc.body, disc.at, disc.radius, body, std::move(wall),

@@ -15,6 +15,7 @@
 #include <string>
 
 #include <yoke/contact/laws/law.hpp>
+#include <yoke/contact/wall_law.hpp>
 #include <yoke/core/curves/curve.hpp>
 #include <yoke/core/force.hpp>
 
@@ -47,7 +48,7 @@ struct DiscOnCurve {
   BodyId body;                       // carries the curve
   Curve curve;                       // global, in the start pose; not crossing itself
   CurveSide side = CurveSide::left;  // where the disc is
-  ContactLaw law;
+  WallLaw law;                       // a ContactLaw, or a function of the wall
   /// [m] of the material behind a curve with ends: a disc whose centre is further behind is not in
   /// contact.
   double thickness = std::numeric_limits<double>::infinity();
@@ -64,7 +65,7 @@ struct DiscInHole {
   std::string name;
   Disc disc;
   Hole hole;
-  ContactLaw law;
+  WallLaw law;
   double reference_force = 100.0;  // [N] as above
 
   std::unique_ptr<ForceElement> build(const Model& model) const;
@@ -75,7 +76,7 @@ struct DiscOnDisc {
   std::string name;
   Disc disc;
   Disc other;
-  ContactLaw law;
+  WallLaw law;
   double reference_force = 100.0;  // [N] as above
 
   std::unique_ptr<ForceElement> build(const Model& model) const;

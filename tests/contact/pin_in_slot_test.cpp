@@ -108,131 +108,9 @@ Scene scene_at(const Where& where, double depth, bool slot_on_ground, bool pin_o
 
 double true_penetration(const Scene& scene) { return scene.channel_values()[0]; }
 
-/// Central difference of a function of the coordinates (or velocities), one column.
-template <class F>
-auto difference(Scene& scene, std::size_t column, double h, bool of_velocity, F f) {
-  const Row6 q = scene.q(), v = scene.v();
-  auto up_q = q, down_q = q, up_v = v, down_v = v;
-  (of_velocity ? up_v : up_q)[column] += h;
-  (of_velocity ? down_v : down_q)[column] -= h;
-  scene.set(up_q, up_v);
-  Row6 up = f();
-  scene.set(down_q, down_v);
-  const Row6 down = f();
-  scene.set(q, v);
-  for (std::size_t i = 0; i < 6; ++i) up[i] = (up[i] - down[i]) / (2.0 * h);
-  return up;
-}
-
-void check_jacobians(Scene& scene) {
-  std::array<double, 36> dQ_dq{}, dQ_dv{};
-  scene.element->evaluate(scene.input(), {.dQ_dq = dQ_dq.data(), .dQ_dv = dQ_dv.data()});
-  const auto Q = [&] { return scene.Q(); };
-  const auto largest = [](const std::array<double, 36>& m) {
-    double size = 0.0;
-    for (const double x : m) size = std::max(size, std::abs(x));
-    return size;
-  };
-  CHECK(largest(dQ_dq) > 0.0);
-  for (std::size_t j = 0; j < 6; ++j) {
-    const Row6 by_q = difference(scene, j, 1e-9, false, Q),
-               by_v = difference(scene, j, 1e-5, true, Q);
-    for (std::size_t i = 0; i < 6; ++i) {
-      CAPTURE(i);
-      CAPTURE(j);
-      CHECK(std::abs(dQ_dq[6 * i + j] - by_q[i]) < 2e-6 * largest(dQ_dq));
-      CHECK(std::abs(dQ_dv[6 * i + j] - by_v[i]) <= 1e-7 * largest(dQ_dv));
-    }
-  }
-}
-
 }  // namespace
 
-TEST_CASE("exact derivatives of the pin's force in every region, phase and combination of bodies") {
-  for (const Where& where : places) {
-    for (const int grounded : {0, 1, 2}) {
-      for (const double depth : {3.1e-5, 2.3e-6}) {
-        for (const double sense : {1.0, -1.0}) {
-          Scene scene = scene_at(where, depth, grounded == 1, grounded == 2);
-          CAPTURE(where.region);
-          CAPTURE(grounded);
-          REQUIRE(true_penetration(scene) == Approx(depth).epsilon(1e-6));
-          Row6 v = scene.v();
-          for (double& x : v) x *= sense;
-          scene.set(scene.q(), v);
-          check_jacobians(scene);
-          scene.memory.phase = ContactPhase::restituting;
-          scene.memory.largest_penetration = 3.3e-5;
-          scene.memory.permanent_set = 1.1e-6;
-          check_jacobians(scene);
-        }
-      }
-    }
-  }
-}
-
-TEST_CASE("force acts along the gradient of the penetration and pushes the pin out") {
-  for (const Where& where : places) {
-    CAPTURE(where.region);
-    Scene scene = scene_at(where, 2.7e-5, false);
-    const double F = scene.channel_values()[2];
-    CHECK(F > 0.0);
-    const Row6 Q = scene.Q();
-    for (std::size_t j = 0; j < 6; ++j) {
-      const Row6 slope =
-          difference(scene, j, 1e-7, false, [&] { return Row6{true_penetration(scene)}; });
-      CHECK(Q[j] == Approx(-F * slope[0]).epsilon(1e-6).scale(0.01 * F));
-    }
-    // Action and reaction: no net force, and no net moment about the origin.
-    CHECK(Q[0] == -Q[3]);
-    CHECK(Q[1] == -Q[4]);
-    const Row6 q = scene.q();
-    const double moment = q[0] * Q[1] - q[1] * Q[0] + Q[2] + q[3] * Q[4] - q[4] * Q[3] + Q[5];
-    CHECK(std::abs(moment) < 1e-12 * F);
-  }
-}
-
-TEST_CASE("penetration rate and its acceleration term follow the motion") {
-  for (const Where& where : places) {
-    Scene scene = scene_at(where, 2.7e-5, false);
-    const Row6 q = scene.q(), v = scene.v();
-    const double rate = scene.channel_values()[1];
-    const auto moved = [&](double t) {
-      Row6 at = q;
-      for (std::size_t i = 0; i < 6; ++i) at[i] += t * v[i];
-      scene.set(at, v);
-      return scene.channel_values();
-    };
-    constexpr double h = 1e-7;
-    CHECK(rate == Approx((moved(h)[0] - moved(-h)[0]) / (2.0 * h)).epsilon(1e-6));
-  }
-}
-
-TEST_CASE("energy ledger of the element: power of the force is energy stored and dissipated") {
-  for (const Where& where : places) {
-    for (const ContactPhase phase : {ContactPhase::compressing, ContactPhase::restituting}) {
-      Scene scene = scene_at(where, 2.7e-5, false);
-      scene.memory.phase = phase;
-      scene.memory.largest_penetration = 3.3e-5;
-      scene.memory.permanent_set = 1.1e-6;
-      const Row6 q = scene.q(), v = scene.v(), Q = scene.Q();
-      double power = 0.0;
-      for (std::size_t i = 0; i < 6; ++i) power += Q[i] * v[i];
-      const double dissipated = scene.energy().dissipated_power;
-      const auto stored_at = [&](double t) {
-        Row6 at = q;
-        for (std::size_t i = 0; i < 6; ++i) at[i] += t * v[i];
-        scene.set(at, v);
-        return scene.energy().stored;
-      };
-      constexpr double h = 1e-8;
-      const double stored_rate = (stored_at(h) - stored_at(-h)) / (2.0 * h);
-      CHECK(-power == Approx(stored_rate + dissipated).epsilon(1e-4));
-    }
-  }
-}
-
-TEST_CASE("contact point lies on the wall and slip is the pin's surface past it") {
+TEST_CASE("the contact point lies on the wall, whose curvature is that of the arc or the cap") {
   for (const Where& where : places) {
     Scene scene = scene_at(where, 2.7e-5, false);
     const auto values = scene.channel_values();
@@ -246,13 +124,6 @@ TEST_CASE("contact point lies on the wall and slip is the pin's surface past it"
     const double distance = where.region < 2 ? std::abs(p.norm() - R)
                                              : (p - R * Vec2(std::cos(end), std::sin(end))).norm();
     CHECK(distance == Approx(8e-3));
-    const Row6 q = scene.q(), v = scene.v();
-    const Vec2 slip = Vec2(v[0], v[1]) + v[2] * perp(point - Vec2(q[0], q[1])) - Vec2(v[3], v[4]) -
-                      v[5] * perp(point - Vec2(q[3], q[4]));
-    const Row6 Q = scene.Q();
-    const Vec2 normal = -Vec2(Q[0], Q[1]).normalized();
-    CHECK(values[6] == Approx(perp(normal).dot(slip)));
-    CHECK(values[1] == Approx(normal.dot(slip)).epsilon(1e-9));
     CHECK(values[7] * (where.region == 0   ? 52e-3
                        : where.region == 1 ? -68e-3
                                            : -8e-3) ==

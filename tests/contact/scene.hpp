@@ -65,6 +65,12 @@ struct Scene {
     EventContext c = context();
     element->initialise_contacts(c);
   }
+  /// The same, without a search for the impact that led there.
+  void touch() {
+    EventContext c = context();
+    c.at_rest = true;
+    element->initialise_contacts(c);
+  }
   void handle(int event) {
     EventContext c = context();
     element->handle_event(event, c);

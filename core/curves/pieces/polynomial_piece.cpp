@@ -26,17 +26,19 @@ PolynomialPiece::PolynomialPiece(std::vector<Cell> cells, int degree, bool close
   lengths_.assign(1, 0.0);
   for (std::size_t i = 0; i < cells_.size(); ++i)
     lengths_.push_back(lengths_.back() + cell_length(i, -1.0, 1.0));
-  make_samples();
-  make_grid();
 }
 
-PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
+PolynomialPiece::Place PolynomialPiece::place_of(double u) const {
   const double last = end();
   if (closed_) u -= last * std::floor(u / last);
   const double inside = closed_ ? u : std::clamp(u, -look_ahead, last + look_ahead);
   const std::size_t cell =
       static_cast<std::size_t>(std::clamp(std::floor(inside), 0.0, last - 1.0));
-  const double x = 2.0 * (inside - static_cast<double>(cell)) - 1.0;
+  return {cell, 2.0 * (inside - static_cast<double>(cell)) - 1.0, u - inside};
+}
+
+PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
+  const auto [cell, x, beyond] = place_of(u);
   const auto& a = cells_[cell].coefficient;
   // Horner for the value and both derivatives at once.
   Vec2 c = a[static_cast<std::size_t>(degree_)], c1(0.0, 0.0), c2(0.0, 0.0);
@@ -46,8 +48,8 @@ PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
     c = x * c + a[static_cast<std::size_t>(k)];
   }
   Jet j{c, 2.0 * c1, 8.0 * c2};
-  if (inside != u) {  // far beyond an end: straight on
-    j.c += (u - inside) * j.c1;
+  if (beyond != 0.0) {  // far beyond an end: straight on
+    j.c += beyond * j.c1;
     j.c2.setZero();
   }
   return j;
@@ -60,15 +62,36 @@ CurvePoint PolynomialPiece::at(double u) const {
 }
 
 CurveOffset PolynomialPiece::offset(const Vec2& p) const {
-  const CurvePoint foot_point = at(foot(p));
+  const double u = foot(p);
+  const CurvePoint foot_point = at(u);
   const Vec2 normal = perp(foot_point.tangent);
-  return {normal.dot(p - foot_point.point), normal, foot_point.curvature};
+  return {normal.dot(p - foot_point.point), normal, foot_point.curvature, u};
+}
+
+/// With A = c1 x c2, B = c1 . c2 and v = |c1|: k = A/v^3, differentiated by u, and d/dl = (1/v) d/du.
+std::optional<CurvatureChange> PolynomialPiece::curvature_change(double u) const {
+  const auto [cell, x, beyond] = place_of(u);
+  if (beyond != 0.0) return CurvatureChange{};
+  const auto& a = cells_[cell].coefficient;
+  std::array<Vec2, 5> c;  // c and its derivatives by x, each divided by the factorial of its order
+  c.fill(Vec2(0.0, 0.0));
+  for (int k = degree_; k >= 0; --k) {
+    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] = x * c[i] + c[i - 1];
+    c[0] = x * c[0] + a[static_cast<std::size_t>(k)];
+  }
+  const Vec2 c1 = 2.0 * c[1], c2 = 8.0 * c[2], c3 = 48.0 * c[3], c4 = 384.0 * c[4];
+  const double v2 = c1.squaredNorm(), v = std::sqrt(v2), v3 = v * v2;
+  const double A = cross(c1, c2), A_u = cross(c1, c3), A_uu = cross(c2, c3) + cross(c1, c4);
+  const double B = c1.dot(c2) / v2, B_u = (c2.squaredNorm() + c1.dot(c3)) / v2;
+  const double k_u = (A_u - 3.0 * A * B) / v3;
+  const double k_uu = (A_uu - 6.0 * A_u * B - 3.0 * A * B_u + 15.0 * A * B * B) / v3;
+  return CurvatureChange{k_u / v, (k_uu - k_u * B) / v2};
 }
 
 /// Newton's method on (c - p) . c' = 0 from the nearest sample; where the distance is no minimum to
 /// go for, half a cell downhill.
 double PolynomialPiece::foot(const Vec2& p) const {
-  double u = seed(p);
+  double u = static_cast<double>(grid().nearest(p)) / samples_per_cell;
   for (int i = 0; i < most_iterations; ++i) {
     const Jet j = jet(u);
     const Vec2 from = j.c - p;
@@ -85,14 +108,24 @@ double PolynomialPiece::foot(const Vec2& p) const {
 
 // ---- where to begin ----
 
-void PolynomialPiece::make_samples() {
+std::vector<Vec2> PolynomialPiece::make_samples() const {
   const int count = samples_per_cell * static_cast<int>(cells_.size()) + (closed_ ? 0 : 1);
-  samples_.reserve(static_cast<std::size_t>(count));
+  std::vector<Vec2> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
-    samples_.push_back(jet(static_cast<double>(i) / samples_per_cell).c);
+    samples.push_back(jet(static_cast<double>(i) / samples_per_cell).c);
+  return samples;
 }
 
-void PolynomialPiece::make_grid() {
+const SeedGrid& PolynomialPiece::make_grid() const {
+  std::call_once(grid_made_, [this] {
+    grid_ = std::make_unique<const SeedGrid>(make_samples());
+    ready_grid_.store(grid_.get(), std::memory_order_release);
+  });
+  return *grid_;
+}
+
+SeedGrid::SeedGrid(std::vector<Vec2> samples) : samples_(std::move(samples)) {
   Vec2 low = samples_.front(), high = low;
   for (const Vec2& s : samples_) low = low.cwiseMin(s), high = high.cwiseMax(s);
   const double size = (high - low).maxCoeff();
@@ -121,7 +154,7 @@ void PolynomialPiece::make_grid() {
   first_.push_back(static_cast<int>(candidates_.size()));
 }
 
-double PolynomialPiece::seed(const Vec2& p) const {
+std::size_t SeedGrid::nearest(const Vec2& p) const {
   const Vec2 place = (p - corner_) / side_;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -137,7 +170,7 @@ double PolynomialPiece::seed(const Vec2& p) const {
   } else {
     for (std::size_t i = 0; i < samples_.size(); ++i) consider(i);
   }
-  return static_cast<double>(best) / samples_per_cell;
+  return best;
 }
 
 // ---- lengths ----

@@ -49,6 +49,25 @@ double rebound(const AnyContact& contact, const Vec2& near, const ContactLaw& la
   return 0.0;
 }
 
+/// A free disc about to strike a free shape, both turning; `sense` is -1 in a mirror in the x axis.
+Model collision(const AnyContact& contact, const Vec2& near, const WallLaw& law,
+                double sense = 1.0) {
+  Model m;
+  const Vec2 start = contact.touching(near, -2e-5), n = contact.normal(start);
+  const BodyId disc = m.add({.name = "disc",
+                             .mass = 0.1,
+                             .inertia = 1e-5,
+                             .pose = {start, sense * 0.3},
+                             .twist = {0.2 * n + sense * 0.05 * perp(n), sense * 3.0}});
+  const BodyId shape = m.add({.name = "shape",
+                              .mass = 0.3,
+                              .inertia = 4e-4,
+                              .pose = {start + Vec2(0.03, sense * -0.02), 0.0},
+                              .twist = {{0.01, sense * 0.02}, sense * -0.5}});
+  m.insert(contact.build(m, disc, shape, start, law));
+  return m;
+}
+
 }  // namespace
 
 TEST_CASE("every dissipative law delivers in every contact what it delivers in the first") {
@@ -85,19 +104,7 @@ TEST_CASE(
     "two free bodies that collide keep momentum and moment, in all contacts and formulations") {
   const ContactLaw law{per_mm(49070, 1.10), HuntCrossley{0.32}};
   for (const AnyContact& contact : every_contact()) {
-    Model m;
-    const Vec2 start = contact.touching(contact.near.front(), -2e-5), n = contact.normal(start);
-    const BodyId disc = m.add({.name = "disc",
-                               .mass = 0.1,
-                               .inertia = 1e-5,
-                               .pose = {start, 0.3},
-                               .twist = {0.2 * n + 0.05 * perp(n), 3.0}});
-    const BodyId shape = m.add({.name = "shape",
-                                .mass = 0.3,
-                                .inertia = 4e-4,
-                                .pose = {start + Vec2(0.03, -0.02), 0.0},
-                                .twist = {{0.01, 0.02}, -0.5}});
-    m.insert(contact.build(m, disc, shape, start, law));
+    const Model m = collision(contact, contact.near.front(), law);
     const auto momentum = [](const Result& run, Eigen::Index i) {
       const auto at = [&](const char* column) { return run[column](i); };
       const double px = 0.1 * at("disc.vx_m_per_s") + 0.3 * at("shape.vx_m_per_s");
@@ -124,4 +131,31 @@ TEST_CASE(
       CHECK(final(2) == Approx(first(2)).epsilon(1e-6));
     }
   }
+}
+
+TEST_CASE("every contact: a collision of free bodies and what a mirror shows of it") {
+  const SimulationOptions options{.until = 4e-3, .relative_tolerance = 1e-10, .samples = 11};
+  const std::vector<AnyContact> seen = every_contact(), shown = every_contact(true);
+  for (std::size_t c = 0; c < seen.size(); ++c)
+    for (std::size_t n = 0; n < seen[c].near.size(); ++n)
+      for (const WallLaw& law : {WallLaw(ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}),
+                                 hertz_of_wall(seen[c].radius, 0.32)}) {
+        INFO(seen[c].name << " near " << seen[c].near[n].x() << ", " << seen[c].near[n].y());
+        const Result run = simulate(collision(seen[c], seen[c].near[n], law), options);
+        const Result image = simulate(collision(shown[c], shown[c].near[n], law, -1.0), options);
+        REQUIRE(run.summary.ok());
+        REQUIRE(image.summary.ok());
+        CHECK(run.events.size() >= 2);
+        CHECK(image.events.size() == run.events.size());
+        CHECK(run.summary.energy_balance < allowed_imbalance(run.summary, 0.4));
+        for (const char* body : {"disc", "shape"}) {
+          const auto off = [&](const char* column, double sign) {
+            const std::string name = std::string(body) + column;
+            return (image[name] - sign * run[name]).cwiseAbs().maxCoeff();
+          };
+          CHECK(off(".x_m", 1.0) < 1e-11);
+          CHECK(off(".y_m", -1.0) < 1e-11);
+          CHECK(off(".angle_rad", -1.0) < 1e-9);
+        }
+      }
 }
