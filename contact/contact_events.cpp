@@ -30,6 +30,10 @@ void ContactElement::calc_events(const ForceInput& in, double* g) const {
 void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
   const double d = geometry_->penetration(in.motion, watched_region(in, memory));
+  if (behind(memory)) {
+    g[forget] = -d;
+    return;
+  }
   if (!remembers(in, memory)) {
     g[onset] = d - memory.release_penetration;
     ContactKinematics k;
