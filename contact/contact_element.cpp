@@ -31,6 +31,25 @@ struct Continued {
   std::string name() const { return law.name(); }
 };
 
+/// The same of a law that follows the curvature.
+struct ContinuedFollowing {
+  ElasticLaw law;
+  double from = continued_from * law.limit();
+
+  GradedResponse operator()(double d, double curvature) const {
+    if (d <= from) return law.response(d, curvature);
+    GradedResponse r = law.response(from, curvature);
+    const double x = d - from;
+    for (ElasticResponse* e : {&r.here, &r.slope}) {
+      e->energy += x * (e->force + 0.5 * e->stiffness * x);
+      e->force += e->stiffness * x;
+    }
+    return r;
+  }
+  ElasticResponse operator()(double d) const { return Continued{law}(d); }
+  std::string name() const { return law.name(); }
+};
+
 }  // namespace
 
 ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
@@ -52,7 +71,11 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
   for (ContactLaw& each : laws_) {
     penetration_scale_ = std::min(penetration_scale_, each.elastic.penetration_at(reference_force));
     limits_.push_back(each.penetration_limit());
-    if (std::isfinite(limits_.back())) each.elastic = Continued{each.elastic};
+    if (!std::isfinite(limits_.back())) continue;
+    if (each.elastic.follows_curvature())
+      each.elastic = ContinuedFollowing{each.elastic};
+    else
+      each.elastic = Continued{each.elastic};
   }
 }
 
@@ -92,7 +115,8 @@ double ContactElement::rate(const ContactKinematics& k, const Motion& motion) co
 ContactOutput ContactElement::calc_law(const ForceInput& in, const ContactMemory& memory) const {
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
-  return law(memory.region).evaluate({k.penetration, rate(k, in.motion), memory});
+  const LocalLaw here(law(memory.region), k.curvature);
+  return here.evaluate({k.penetration, rate(k, in.motion), memory});
 }
 
 void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) const {
@@ -100,6 +124,7 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
   if (out.energy != nullptr) *out.energy = {};
   const bool apart = memory.phase == ContactPhase::apart;
   if (apart && !lifted(in, memory)) return;
+  if (law(memory.region).elastic.follows_curvature()) return evaluate_following(in, out);
 
   const bool want_jacobian = !apart && (out.dQ_dq != nullptr || out.dQ_dv != nullptr);
   ContactKinematics k;
@@ -130,6 +155,47 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
   }
 }
 
+void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest& out) const {
+  const ContactMemory& memory = *in.contact;
+  const bool apart = memory.phase == ContactPhase::apart;
+  const bool want_jacobian = !apart && (out.dQ_dq != nullptr || out.dQ_dv != nullptr);
+  ContactKinematics k;
+  CurvatureKinematics c;
+  geometry_->calc_kinematics(in.motion, memory.region, want_jacobian, k, c);
+  const LocalLaw here(law(memory.region), k.curvature);
+  const ContactRow& g = k.gradient;
+  const ContactRow v = velocity(in.motion);
+  const double d_rate = dot(g, v);
+  const ContactInput input{k.penetration, d_rate, memory};
+  const ContactOutput f = here.evaluate(input);
+  const GradedResponse e = here.graded(k.penetration);
+
+  if (out.energy != nullptr) {
+    out.energy->stored = f.stored_energy;
+    const double released = f.force * d_rate + e.slope.energy * dot(c.gradient, v);
+    out.energy->dissipated_power = f.dissipated_power - (apart ? released : 0.0);
+  }
+  if (apart) return;
+  if (out.Q != nullptr)
+    for (std::size_t i = 0; i < columns; ++i)
+      out.Q[i] = -f.force * g[i] - e.slope.energy * c.gradient[i];
+  if (!want_jacobian) return;
+  const ContactRow Hv = times(k.hessian, v);
+  const double force_slope = here.force_slope(input);
+  for (std::size_t i = 0; i < columns; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const std::size_t entry = i * columns + j;
+      if (out.dQ_dq != nullptr)
+        out.dQ_dq[entry] = -g[i] * (f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j] +
+                                    force_slope * c.gradient[j]) -
+                           f.force * k.hessian[entry] -
+                           c.gradient[i] * (e.slope.force * g[j] + e.energy_bend * c.gradient[j]) -
+                           e.slope.energy * c.hessian[entry];
+      if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -f.dforce_drate * g[i] * g[j];
+    }
+  }
+}
+
 std::vector<Channel> ContactElement::channels() const {
   std::vector<std::string> labels{"apart"};
   labels.insert(labels.end(), region_names_.begin(), region_names_.end());
@@ -149,7 +215,8 @@ void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   const ContactPlace place = geometry_->calc_place(in.motion, region);
   values[0] = k.penetration;
   values[1] = d_rate;
-  values[2] = apart ? 0.0 : law(region).evaluate({k.penetration, d_rate, memory}).force;
+  const LocalLaw here(law(region), k.curvature);
+  values[2] = apart ? 0.0 : here.evaluate({k.penetration, d_rate, memory}).force;
   values[3] = apart ? 0.0 : 1.0 + region;
   values[4] = place.point.x();
   values[5] = place.point.y();

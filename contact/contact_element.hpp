@@ -8,6 +8,15 @@
 //   d'' = g a + v^T H v                     dQ/dq = -(F_d g^T g + F_r g^T (H v)^T) - F H
 // with F_d, F_r the derivatives of F by penetration and rate.
 //
+// A law that follows the curvature k of the wall (wall_law.hpp) stores U(d, k), and k changes along the
+// wall. A frictionless elastic contact is conservative: pressure on a disc points to its centre, and
+// what moves the centre by dp does the work -dU. So the force is the gradient of U(d(q), k(q)); with
+// c = dk/dq, C = dc/dq:
+//   Q = -F g^T - U_k c^T                  -Q v = F d' + U_k k' = dU/dt + D
+//   dQ/dq = the above - F_k g^T c - c^T (U_dk g + U_kk c) - U_k C
+// The second term is a small force along the wall, towards where it is softer. F g^T alone would take
+// U_k k' from nowhere: on a closed path a pin could gain energy.
+//
 // The state machine. Between events the formula of one region is continued smoothly, whatever the
 // sign of d; transitions happen at located events only:
 //   apart        no force. `onset` when d of the nearest region crosses zero upwards.
@@ -56,7 +65,7 @@
 #include <vector>
 
 #include <yoke/contact/geometry/contact_geometry.hpp>
-#include <yoke/contact/laws/law.hpp>
+#include <yoke/contact/laws/local_law.hpp>
 #include <yoke/core/force.hpp>
 
 namespace yoke {
@@ -113,6 +122,7 @@ class ContactElement final : public ForceElement {
  private:
   struct Approach {
     double penetration, rate, acceleration;  // [m, m/s, m/s^2] d, d', d''
+    double curvature;                        // [1/m] of the wall
     std::array<double, ContactKinematics::columns> gradient;
   };
 
@@ -122,6 +132,8 @@ class ContactElement final : public ForceElement {
   bool remembers(const ForceInput& in, const ContactMemory& memory) const;
   static bool behind(const ContactMemory& memory);
   bool lifted(const ForceInput& in, const ContactMemory& memory) const;
+  /// The force where the law follows the curvature of the wall.
+  void evaluate_following(const ForceInput& in, const ForceRequest& out) const;
   const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
   double limit_of(int region) const { return limits_[static_cast<std::size_t>(region)]; }
   std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
@@ -134,7 +146,7 @@ class ContactElement final : public ForceElement {
   void calc_events_apart(const ForceInput& in, double* g) const;
   void calc_events_lifted(const ForceInput& in, double* g) const;
   void calc_events_in_contact(const ForceInput& in, double* g) const;
-  double calc_pull_off(const ForceInput& in, double d, double d_rate) const;
+  double calc_pull_off(const ForceInput& in, const LocalLaw& here, double d, double d_rate) const;
   double calc_regain(const ForceInput& in, double penetration) const;
   double calc_kink(const ForceInput& in, double d, double d_rate) const;
 

@@ -29,18 +29,18 @@ void ContactElement::calc_events(const ForceInput& in, double* g) const {
 
 void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
-  const double d = geometry_->penetration(in.motion, watched_region(in, memory));
-  if (behind(memory)) {
-    g[forget] = -d;
-    return;
-  }
   if (!remembers(in, memory)) {
-    g[onset] = d - memory.release_penetration;
     ContactKinematics k;
     geometry_->calc_kinematics(in.motion, geometry_->nearest(in.motion), false, k);
+    if (behind(memory)) {
+      g[forget] = -k.penetration;
+      return;
+    }
+    g[onset] = k.penetration - memory.release_penetration;
     g[closest] = -rate(k, in.motion) - slowest_recession * in.scales.length / in.scales.time;
     return;
   }
+  const double d = geometry_->penetration(in.motion, memory.region);
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
   if (lifted(in, memory)) {
     g[onset] = calc_regain(in, d);
@@ -56,9 +56,9 @@ void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
 /// watched.
 void ContactElement::calc_events_lifted(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
-  const ContactLaw& here = law(memory.region);
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
+  const LocalLaw here(law(memory.region), k.curvature);
   const double d = k.penetration, d_rate = rate(k, in.motion);
   g[kink] = calc_kink(in, d, d_rate);
   // One step may reach far below the end of the contact, where the law means nothing.
@@ -86,16 +86,16 @@ double ContactElement::calc_regain(const ForceInput& in, double penetration) con
 
 void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
-  const ContactLaw& here = law(memory.region);
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
+  const LocalLaw here(law(memory.region), k.curvature);
   const double d = k.penetration, d_rate = rate(k, in.motion);
 
   g[release] = memory.permanent_set - d;
   g[kink] = calc_kink(in, d, d_rate);
-  if (here.dissipation.release() == Release::at_zero_force)
-    g[pull_off] = calc_pull_off(in, d, d_rate);
-  if (here.dissipation.needs_largest_penetration()) {
+  if (here.dissipation().release() == Release::at_zero_force)
+    g[pull_off] = calc_pull_off(in, here, d, d_rate);
+  if (here.dissipation().needs_largest_penetration()) {
     if (memory.phase == ContactPhase::compressing)
       g[turn] = -d_rate;
     else
@@ -108,12 +108,12 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
 
 /// -force where it counts. At d = 0 itself `release` is the sharper function, as a force may vanish
 /// there with zero slope; but a force that clearly pulls there has passed zero earlier in the step.
-double ContactElement::calc_pull_off(const ForceInput& in, double d, double d_rate) const {
+double ContactElement::calc_pull_off(const ForceInput& in, const LocalLaw& here, double d,
+                                     double d_rate) const {
   const ContactMemory& memory = *in.contact;
-  const ContactLaw& here = law(memory.region);
   const double margin = 2.0 * touch(in);
   const double force = here.evaluate({d, d_rate, memory}).force;
-  const double noise = here.elastic.response(d).stiffness * margin;
+  const double noise = here.elastic().response(d).stiffness * margin;
   const bool counts = d > memory.permanent_set + margin || force < -noise;
   return counts ? -force : -reference_force_;
 }

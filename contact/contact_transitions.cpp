@@ -56,7 +56,7 @@ ContactElement::Approach ContactElement::calc_approach(const EventContext& conte
   if (context.acceleration != nullptr)
     for (std::size_t i = 0; i < columns; ++i)
       acceleration += k.gradient[i] * context.acceleration[i];
-  return {k.penetration, dot(k.gradient, v), acceleration, k.gradient};
+  return {k.penetration, dot(k.gradient, v), acceleration, k.curvature, k.gradient};
 }
 
 /// Does the memory of a snapshot still agree with where the bodies are?
@@ -194,7 +194,9 @@ void ContactElement::assume_approach(EventContext& context, const Approach& now)
   ContactMemory& memory = *context.contact;
   const ContactLaw& here = law(memory.region);
   if (now.penetration >= limit_of(memory.region)) return;
-  memory.approach_velocity = approach_velocity_to(here, memory, now.penetration, now.rate);
+  const LocalLaw local(here, now.curvature);
+  memory.approach_velocity =
+      approach_velocity_to({local.elastic(), here.dissipation}, memory, now.penetration, now.rate);
   note_side_of_kink(memory, now);
   if (context.note)
     context.note(fmt::format(

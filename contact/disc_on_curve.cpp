@@ -46,7 +46,8 @@ std::unique_ptr<ForceElement> DiscOnCurve::build(const Model& model) const {
                             .thickness = thickness});
   wall.check_shape(owner);
   require_in_front(owner, disc, wall);
-  std::vector<ContactLaw> laws(wall.regions().size(), law);
+  std::vector<ContactLaw> laws =
+      laws_along(owner, wall, disc.radius, reference_force, [this](SlotRegion) { return law; });
   return std::make_unique<ContactElement>(
       name, disc.body, body,
       std::make_unique<DiscGeometry>(model, disc.body, disc.at, disc.radius, body, std::move(wall),

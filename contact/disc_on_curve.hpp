@@ -15,6 +15,7 @@
 #include <string>
 
 #include <yoke/contact/laws/law.hpp>
+#include <yoke/contact/wall_law.hpp>
 #include <yoke/core/curves/curve.hpp>
 #include <yoke/core/force.hpp>
 
@@ -47,7 +48,7 @@ struct DiscOnCurve {
   BodyId body;                       // carries the curve
   Curve curve;                       // global, in the start pose; not crossing itself
   CurveSide side = CurveSide::left;  // where the disc is
-  ContactLaw law;
+  WallLaw law;                       // a ContactLaw, or a function of the wall
   /// [m] of the material behind a curve with ends: a disc whose centre is further behind is not in
   /// contact.
   double thickness = std::numeric_limits<double>::infinity();

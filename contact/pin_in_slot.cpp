@@ -2,10 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/contact/pin_in_slot.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 #include <yoke/contact/contact_element.hpp>
 #include <yoke/contact/details/disc_geometry.hpp>
@@ -15,9 +12,9 @@ namespace yoke {
 
 namespace {
 
-ContactLaw law_for(const SlotLaws& laws, const SlotWall& wall) {
-  if (laws.each) return laws.each(wall);
-  switch (wall.region) {
+WallLaw law_for(const SlotLaws& laws, SlotRegion region) {
+  if (laws.each) return *laws.each;
+  switch (region) {
     case SlotRegion::inner:
     case SlotRegion::left:
       return *laws.inner;
@@ -27,24 +24,6 @@ ContactLaw law_for(const SlotLaws& laws, const SlotWall& wall) {
     default:
       return *laws.cap;
   }
-}
-
-/// The law of each region. A function of the wall is asked only about one curvature a wall.
-std::vector<ContactLaw> laws_of(const std::string& owner, const SlotLaws& laws, const Slot& slot) {
-  const std::vector<SlotRegion> regions = slot.regions();
-  const std::vector<CurvatureRange> curvatures = slot.curvatures();
-  std::vector<ContactLaw> result;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const auto [low, high] = curvatures[i];
-    constexpr double alike = 1e-9;
-    if (laws.each && high - low > alike * std::max(std::abs(low), std::abs(high)))
-      throw ModelError(fmt::format(
-          "{}: a law that follows the radius of the wall needs walls of constant curvature; that of "
-          "wall '{}' goes from {:g} to {:g} 1/m",
-          owner, region_name(regions[i]), low, high));
-    result.push_back(law_for(laws, {.region = regions[i], .curvature = low}));
-  }
-  return result;
 }
 
 /// A pin may start within a wall, but not behind it.
@@ -70,7 +49,9 @@ std::unique_ptr<ForceElement> contact_with(const PinInSlot& p, const std::string
   return std::make_unique<ContactElement>(
       name, p.pin.body, p.slot.body,
       std::make_unique<DiscGeometry>(model, p.pin.body, p.pin.at, p.pin.radius, p.slot.body, slot),
-      laws_of(owner, p.law, slot), p.reference_force);
+      laws_along(owner, slot, p.pin.radius, p.reference_force,
+                 [&](SlotRegion region) { return law_for(p.law, region); }),
+      p.reference_force);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 // and its derivatives as in core/curves/relative_point.hpp.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,33 +15,27 @@
 
 #include <yoke/contact/geometry/slot.hpp>
 #include <yoke/contact/laws/law.hpp>
+#include <yoke/contact/wall_law.hpp>
 #include <yoke/core/model.hpp>
 
 namespace yoke {
 
 /// One law for each wall of a slot; a single law serves for all. `inner` also serves for the left
 /// wall of a curve_slot, which is the inner one of an arc that turns left, `outer` for the right one,
-/// `cap` for ends, corners and edges.
-///
-/// Or a function of the wall, asked once for each: laws that take radii follow the local ones,
-///   [](const SlotWall& w) { return ContactLaw{johnson(pair_of(pin_radius, w.curvature), 10.0_mm)}; }
-/// Only for walls of constant curvature: lines, arcs, caps, corners. The energy stored jumps where
-/// a contact passes from one law to another; the ledger counts the jump as dissipation.
-struct SlotWall {
-  SlotRegion region = SlotRegion::wall;
-  double curvature = 0.0;  // [1/m] > 0 convex, < 0 concave, infinite at a sharp edge
-};
-
+/// `cap` for ends, corners and edges. Or a function of the wall for all of them, see WallLaw.
+/// The energy stored jumps where a contact passes from one law to another; the ledger counts the jump
+/// as dissipation.
 struct SlotLaws {
   SlotLaws(ContactLaw all) : inner(all), outer(all), cap(std::move(all)) {}
   SlotLaws(ContactLaw at_inner, ContactLaw at_outer, ContactLaw at_cap)
       : inner(std::move(at_inner)), outer(std::move(at_outer)), cap(std::move(at_cap)) {}
   template <class F>
-  requires std::is_invocable_r_v<ContactLaw, const F&, const SlotWall&> SlotLaws(F of_wall)
-      : each(std::move(of_wall)) {}
+  requires std::is_invocable_r_v<ContactLaw, const F&, const SlotWall&> SlotLaws(
+      F of_wall, Radii radii = Radii::local)
+      : each(WallLaw(std::move(of_wall), radii)) {}
 
-  std::optional<ContactLaw> inner, outer, cap;      // all or none of them
-  std::function<ContactLaw(const SlotWall&)> each;  // none or all
+  std::optional<ContactLaw> inner, outer, cap;  // all or none of them
+  std::optional<WallLaw> each;                  // none or all
 };
 
 struct Pin {

@@ -27,14 +27,31 @@ double DiscGeometry::penetration(const Motion& motion, int region) const {
   return slot_.touch(region, center_.local(motion)).distance - clearance_;
 }
 
-void DiscGeometry::calc_kinematics(const Motion& motion, int region, bool want_hessian,
-                                   ContactKinematics& out) const {
+DiscGeometry::Placed DiscGeometry::calc_touch(const Motion& motion, int region, bool want_hessian,
+                                              ContactKinematics& out) const {
   const RelativePoint::Place place = center_.place(motion);
   const Touch touch = slot_.touch(region, center_.local(motion, place));
   const Vec2 n = center_.to_global(motion, touch.normal);
   out.penetration = touch.distance - clearance_;
+  out.curvature = touch.wall_curvature;
   out.gradient = RelativePoint::gradient(n, place);
   if (want_hessian) RelativePoint::calc_hessian(touch.bend, n, place, out.hessian);
+  return {place, touch, n};
+}
+
+void DiscGeometry::calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                                   ContactKinematics& out) const {
+  calc_touch(motion, region, want_hessian, out);
+}
+
+void DiscGeometry::calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                                   ContactKinematics& out, CurvatureKinematics& curvature) const {
+  const Placed at = calc_touch(motion, region, want_hessian, out);
+  const CurvatureField field = slot_.curvature_field(at.touch);
+  curvature.gradient = RelativePoint::gradient(field.along * perp(at.normal), at.place);
+  if (want_hessian)
+    RelativePoint::calc_hessian(field.along, field.tt, field.tn, at.normal, at.place,
+                                curvature.hessian);
 }
 
 ContactPlace DiscGeometry::calc_place(const Motion& motion, int region) const {

@@ -28,11 +28,21 @@ class DiscGeometry final : public ContactGeometry {
   double penetration(const Motion& motion, int region) const override;
   void calc_kinematics(const Motion& motion, int region, bool want_hessian,
                        ContactKinematics& out) const override;
+  void calc_kinematics(const Motion& motion, int region, bool want_hessian, ContactKinematics& out,
+                       CurvatureKinematics& curvature) const override;
   ContactPlace calc_place(const Motion& motion, int region) const override;
   double boundary(const Motion& motion, int region) const override;
   int successor(const Motion& motion, int region) const override;
 
  private:
+  struct Placed {
+    RelativePoint::Place place;
+    Touch touch;
+    Vec2 normal;  // global
+  };
+  Placed calc_touch(const Motion& motion, int region, bool want_hessian,
+                    ContactKinematics& out) const;
+
   RelativePoint center_;
   Slot slot_;
   double clearance_;      // [m] half-width minus radius

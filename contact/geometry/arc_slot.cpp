@@ -33,7 +33,7 @@ class ArcProfile {
   std::vector<CurvatureRange> curvatures() const {
     const double in = 1.0 / (radius_ - half_width_), out = -1.0 / (radius_ + half_width_),
                  cap = -1.0 / half_width_;
-    return {{in, in}, {out, out}, {cap, cap}, {cap, cap}};
+    return {{in, in, in}, {out, out, out}, {cap, cap, cap}, {cap, cap, cap}};
   }
 
   Touch touch(int region, const Vec2& p) const {

@@ -17,8 +17,15 @@ namespace yoke {
 struct ContactKinematics {
   static constexpr std::size_t columns = 6;
   double penetration = 0.0;                         // [m] d, > 0 in contact
+  double curvature = 0.0;                           // [1/m] of the wall there, > 0 convex
   std::array<double, columns> gradient{};           // g = dd/dq
   std::array<double, columns * columns> hessian{};  // H = dg/dq, row-major
+};
+
+/// The curvature of the wall touched, as a function of q. For laws that follow it.
+struct CurvatureKinematics {
+  std::array<double, ContactKinematics::columns> gradient{};  // [1/m per m, per rad]
+  std::array<double, ContactKinematics::columns * ContactKinematics::columns> hessian{};
 };
 
 /// Where a region is, or would be, touched.
@@ -42,6 +49,12 @@ class ContactGeometry {
   /// Penetration and gradient, and the Hessian if requested.
   virtual void calc_kinematics(const Motion& motion, int region, bool want_hessian,
                                ContactKinematics& out) const = 0;
+  /// The same, and how the curvature of the wall changes: not at all, unless the geometry says so.
+  virtual void calc_kinematics(const Motion& motion, int region, bool want_hessian,
+                               ContactKinematics& out, CurvatureKinematics& curvature) const {
+    calc_kinematics(motion, region, want_hessian, out);
+    curvature = {};
+  }
   virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;
   /// [m] crosses zero upwards where the region ends; about the distance beyond its end.
   virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <yoke/contact/geometry/region_chain.hpp>
 #include <yoke/core/curves/bend_range.hpp>
 #include <yoke/core/error.hpp>
 
@@ -15,34 +16,17 @@ namespace yoke {
 
 namespace {
 
-constexpr int none = -1;
-constexpr double slot_end_slack = 1e-9;  // share of a piece that is its end
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_samples = 400;   // of a wall, where it is checked
 constexpr double closeness = 1e-6;  // share of the half-width by which walls may seem to meet
 
-/// One wall along one piece of the centreline.
-struct SideWall {
-  std::size_t piece = 0;
-  double sign = 1.0;                // 1 on the left, -1 on the right
-  double low = 0.0, high = 0.0;     // u where the wall begins and ends
-  int before = none, after = none;  // the regions there
-};
-
-/// A wall about a point: concave like a cap, or a convex edge.
-struct RoundWall {
-  SlotRegion kind = SlotRegion::cap_start;
-  Vec2 center{0.0, 0.0};                    // [m]
-  double edge_radius = 0.0;                 // [m] of an edge
-  Vec2 t_begin{0.0, 0.0}, t_end{0.0, 0.0};  // the region is where these, 0: unbounded,
-  int before = none, after = none;          // are passed and not yet passed
-};
-
 class CurveSlotProfile {
  public:
-  explicit CurveSlotProfile(CurveSlot slot) : slot_(std::move(slot)), curve_(slot_.centreline) {
+  explicit CurveSlotProfile(CurveSlot slot)
+      : slot_(std::move(slot)),
+        chain_(slot_.centreline, slot_.half_width, {1.0, -1.0}),
+        curve_(slot_.centreline) {
     if (!(std::isfinite(slot_.half_width) && slot_.half_width > 0.0)) return;  // check() says so
-    make_sides();
     if (!curve_.closed()) {
       make_end(false);
       make_end(true);
@@ -54,85 +38,27 @@ class CurveSlotProfile {
 
   std::vector<SlotRegion> regions() const {
     std::vector<SlotRegion> kinds;
-    for (const SideWall& side : sides_)
+    for (const RegionChain::Side& side : chain_.sides())
       kinds.push_back(side.sign > 0.0 ? SlotRegion::left : SlotRegion::right);
-    for (const RoundWall& round : rounds_) kinds.push_back(round.kind);
+    for (const RegionChain::Round& round : chain_.rounds()) kinds.push_back(round.kind);
     return kinds;
   }
 
-  std::vector<CurvatureRange> curvatures() const {
-    std::vector<CurvatureRange> ranges;
-    for (const SideWall& side : sides_) {
-      const CurvePiece& piece = curve_.piece(side.piece);
-      const BendRange bends = bend_range(piece, side.low, side.high);
-      const double one = curvature_of_wall(side.sign * bends.low),
-                   other = curvature_of_wall(side.sign * bends.high);
-      ranges.push_back({std::min(one, other), std::max(one, other)});
-    }
-    for (const RoundWall& round : rounds_) {
-      const double curvature = curvature_of_wall(round);
-      ranges.push_back({curvature, curvature});
-    }
-    return ranges;
-  }
-
-  Touch touch(int region, const Vec2& p) const {
-    if (is_side(region)) {
-      const SideWall& side = side_of(region);
-      const CurveOffset offset = curve_.piece(side.piece).offset(p);
-      const double s = side.sign, k = s * offset.curvature;
-      return {region, s * offset.distance, s * offset.normal, s * offset.bend(),
-              curvature_of_wall(k)};
-    }
-    const RoundWall& round = round_of(region);
-    const Vec2 from = p - round.center;
-    const double distance = from.norm();
-    const Vec2 away = distance > 0.0 ? Vec2(from / distance) : Vec2(1.0, 0.0);
-    const double bend = distance > 0.0 ? 1.0 / distance : 0.0;
-    if (round.kind == SlotRegion::edge)
-      return {region, slot_.half_width + round.edge_radius - distance, -away, -bend,
-              curvature_of_wall(round)};
-    return {region, distance, away, bend, curvature_of_wall(round)};
-  }
+  std::vector<CurvatureRange> curvatures() const { return chain_.curvatures(); }
+  bool follows(int region) const { return chain_.follows(region); }
+  CurvatureField curvature_field(const Touch& touch) const { return chain_.curvature_field(touch); }
+  Touch touch(int region, const Vec2& p) const { return chain_.touch(region, p); }
+  double boundary(int region, const Vec2& p) const { return chain_.boundary(region, p); }
+  int successor(int region, const Vec2& p) const { return chain_.successor(region, p); }
 
   int nearest(const Vec2& p) const {
     const CurvePlace place = curve_.nearest_local(p);
-    const CurvePiece& piece = curve_.piece(place.piece);
-    const CurvePoint at = piece.at(place.u);
+    const CurvePoint at = curve_.piece(place.piece).at(place.u);
     const Vec2 from = p - at.point;
-    const double side = cross(at.tangent, from);
-    const int wall = side_region(place.piece, side);
     const bool open = slot_.start == SlotEnd::open || slot_.end == SlotEnd::open;
     if (open && !curve_.closed() && !inside(place, from)) return nearest_edge(p);
-    // Behind an end or a corner the foot is the end of the piece, and p is not across from it.
-    const SideWall& here = side_of(wall);
-    // The range of a round region alone does not tell: of a centreline that turns far, it holds
-    // points that are close to other parts.
-    const double slack = slot_end_slack * piece.end();
-    if (here.before != none &&
-        (place.u < here.low || (place.u <= here.low + slack && behind(here, p, true))))
-      return here.before;
-    if (here.after != none &&
-        (place.u > here.high || (place.u >= here.high - slack && behind(here, p, false))))
-      return here.after;
-    return wall;
-  }
-
-  double boundary(int region, const Vec2& p) const {
-    const auto [before, after] = beyond(region, p);
-    return std::max(before, after);
-  }
-
-  int successor(int region, const Vec2& p) const {
-    const auto [before, after] = beyond(region, p);
-    const bool back = before >= after;
-    if (is_side(region)) return back ? side_of(region).before : side_of(region).after;
-    const RoundWall& round = round_of(region);
-    const int next = back ? round.before : round.after;
-    if (round.kind == SlotRegion::edge || round.kind == SlotRegion::corner) return next;
-    // A cap ends at both walls.
-    const SideWall& one = side_of(next);
-    return side_region(one.piece, curve_.piece(one.piece).offset(p).distance);
+    const double side = cross(at.tangent, from) >= 0.0 ? 1.0 : -1.0;
+    return chain_.region_at(chain_.side_region(place.piece, side), place.u, p);
   }
 
   void check(std::string_view owner) const {
@@ -145,96 +71,59 @@ class CurveSlotProfile {
           "{}: piece {} of the centreline is too short for its corner; the slot of half_width = "
           "{:g} m has no wall there",
           owner, *short_piece_ + 1, slot_.half_width));
-    for (const SideWall& side : sides_) check_wall(owner, side);
+    for (const RegionChain::Side& side : chain_.sides()) check_wall(owner, side);
     if (!curve_.closed()) check_end(owner, false), check_end(owner, true);
     require_simple(owner, curve_);
   }
 
  private:
-  bool is_side(int region) const { return region < static_cast<int>(sides_.size()); }
-  const SideWall& side_of(int region) const { return sides_[static_cast<std::size_t>(region)]; }
-  const RoundWall& round_of(int region) const {
-    return rounds_[static_cast<std::size_t>(region) - sides_.size()];
-  }
-  /// [1/m] `k` of the centreline, > 0 towards this wall.
-  double curvature_of_wall(double k) const { return k / (1.0 - k * slot_.half_width); }
-  double curvature_of_wall(const RoundWall& round) const {
-    if (round.kind != SlotRegion::edge) return -1.0 / slot_.half_width;
-    return round.edge_radius > 0.0 ? 1.0 / round.edge_radius : infinite;
-  }
-  static int side_region(std::size_t piece, double side) {
-    return 2 * static_cast<int>(piece) + (side >= 0.0 ? 0 : 1);
-  }
-
-  void make_sides() {
-    const std::size_t count = curve_.pieces();
-    const bool ring = curve_.closed() && count > 1;
-    for (std::size_t i = 0; i < count; ++i)
-      for (const int right : {0, 1}) {
-        SideWall side{.piece = i, .sign = right == 0 ? 1.0 : -1.0, .high = curve_.piece(i).end()};
-        if (i > 0 || ring) side.before = 2 * static_cast<int>((i + count - 1) % count) + right;
-        if (i + 1 < count || ring) side.after = 2 * static_cast<int>((i + 1) % count) + right;
-        sides_.push_back(side);
-      }
-  }
-
-  int add(const RoundWall& round) {
-    rounds_.push_back(round);
-    return static_cast<int>(sides_.size() + rounds_.size()) - 1;
-  }
-
   void make_end(bool at_end) {
     const SlotEnd kind = at_end ? slot_.end : slot_.start;
     const std::size_t piece = at_end ? curve_.pieces() - 1 : 0;
     const CurvePiece& last = curve_.piece(piece);
     const CurvePoint at = last.at(at_end ? last.end() : 0.0);
     const Vec2 outwards = at_end ? at.tangent : Vec2(-at.tangent);
-    const int left = side_region(piece, 1.0), right = side_region(piece, -1.0);
+    const int left = chain_.side_region(piece, 1.0), right = chain_.side_region(piece, -1.0);
     if (kind == SlotEnd::round) {
-      const int cap = add({.kind = at_end ? SlotRegion::cap_end : SlotRegion::cap_start,
-                           .center = at.point,
-                           .t_begin = outwards,
-                           .before = left});
-      link(left, at_end, cap);
-      link(right, at_end, cap);
+      const int cap = chain_.add({.kind = at_end ? SlotRegion::cap_end : SlotRegion::cap_start,
+                                  .center = at.point,
+                                  .t_begin = outwards,
+                                  .before = left});
+      chain_.link(left, at_end, cap);
+      chain_.link(right, at_end, cap);
     } else if (kind == SlotEnd::open) {
       const double r = slot_.edge_radius;
       const double s = at_end ? last.length_to(last.end()) - r : r;
       const double u = r > 0.0 ? last.at_length(s) : (at_end ? last.end() : 0.0);
       const CurvePoint mouth = last.at(u);
       for (const int side : {left, right}) {
-        SideWall& wall = sides_[static_cast<std::size_t>(side)];
+        RegionChain::Side& wall = chain_.side(side);
         const Vec2 center = mouth.point + wall.sign * (slot_.half_width + r) * perp(mouth.tangent);
         (at_end ? wall.high : wall.low) = u;
-        link(side, at_end,
-             add({.kind = SlotRegion::edge,
-                  .center = center,
-                  .edge_radius = r,
-                  .t_begin = at_end ? mouth.tangent : Vec2(-mouth.tangent),
-                  .before = side}));
+        chain_.link(side, at_end,
+                    chain_.add({.kind = SlotRegion::edge,
+                                .center = center,
+                                .edge_radius = r,
+                                .t_begin = at_end ? mouth.tangent : Vec2(-mouth.tangent),
+                                .before = side}));
       }
     }
-  }
-
-  void link(int side, bool at_end, int region) {
-    SideWall& wall = sides_[static_cast<std::size_t>(side)];
-    (at_end ? wall.after : wall.before) = region;
   }
 
   void make_corner(const CurveCorner& corner) {
     const std::size_t i = corner.before, j = (i + 1) % curve_.pieces();
     const CurvePiece &a = curve_.piece(i), &b = curve_.piece(j);
     const double inside = corner.turn > 0.0 ? 1.0 : -1.0;
-    const int outer_a = side_region(i, -inside), outer_b = side_region(j, -inside);
-    const int inner_a = side_region(i, inside), inner_b = side_region(j, inside);
-    const int rounded = add({.kind = SlotRegion::corner,
-                             .center = b.at(0.0).point,
-                             .t_begin = a.at(a.end()).tangent,
-                             .t_end = b.at(0.0).tangent,
-                             .before = outer_a,
-                             .after = outer_b});
-    link(outer_a, true, rounded);
-    link(outer_b, false, rounded);
+    const int outer_a = chain_.side_region(i, -inside), outer_b = chain_.side_region(j, -inside);
+    const int inner_a = chain_.side_region(i, inside), inner_b = chain_.side_region(j, inside);
+    const int rounded = chain_.add({.kind = SlotRegion::corner,
+                                    .center = b.at(0.0).point,
+                                    .t_begin = a.at(a.end()).tangent,
+                                    .t_end = b.at(0.0).tangent,
+                                    .before = outer_a,
+                                    .after = outer_b});
+    chain_.link(outer_a, true, rounded);
+    chain_.link(outer_b, false, rounded);
     const auto cut = meeting(a, b, inside * slot_.half_width);
     if (!cut) {
       short_piece_ = a.length_to(a.end()) < b.length_to(b.end()) ? i : j;
@@ -242,16 +131,17 @@ class CurveSlotProfile {
     }
     const auto [u_a, u_b] = *cut;
     const CurvePoint on_a = a.at(u_a);
-    const int edge = add({.kind = SlotRegion::edge,
-                          .center = on_a.point + inside * slot_.half_width * perp(on_a.tangent),
-                          .t_begin = on_a.tangent,
-                          .t_end = b.at(u_b).tangent,
-                          .before = inner_a,
-                          .after = inner_b});
-    sides_[static_cast<std::size_t>(inner_a)].high = u_a;
-    sides_[static_cast<std::size_t>(inner_b)].low = u_b;
-    link(inner_a, true, edge);
-    link(inner_b, false, edge);
+    const int edge =
+        chain_.add({.kind = SlotRegion::edge,
+                    .center = on_a.point + inside * slot_.half_width * perp(on_a.tangent),
+                    .t_begin = on_a.tangent,
+                    .t_end = b.at(u_b).tangent,
+                    .before = inner_a,
+                    .after = inner_b});
+    chain_.side(inner_a).high = u_a;
+    chain_.side(inner_b).low = u_b;
+    chain_.link(inner_a, true, edge);
+    chain_.link(inner_b, false, edge);
   }
 
   /// Where the walls at the distance `offset` of two neighbours meet, by Newton's method from where
@@ -280,31 +170,6 @@ class CurveSlotProfile {
 
   // ---- where p is ----
 
-  /// [m] how far p is beyond the beginning and the end of a region; -infinity where it has none.
-  std::pair<double, double> beyond(int region, const Vec2& p) const {
-    double before = -infinite, after = -infinite;
-    if (is_side(region)) {
-      const SideWall& side = side_of(region);
-      if (side.before == none && side.after == none) return {-1.0, -1.0};
-      const CurvePiece& piece = curve_.piece(side.piece);
-      const double u = piece.foot(p);
-      if (side.before != none) before = (side.low - u) * piece.at(side.low).speed;
-      if (side.after != none) after = (u - side.high) * piece.at(side.high).speed;
-      return {before, after};
-    }
-    const RoundWall& round = round_of(region);
-    const Vec2 from = p - round.center;
-    if (round.before != none) before = -from.dot(round.t_begin);
-    if (round.after != none) after = from.dot(round.t_end);
-    return {before, after};
-  }
-
-  /// Is p in the range of the round region before, or behind, a side?
-  bool behind(const SideWall& side, const Vec2& p, bool at_start) const {
-    const int region = at_start ? side.before : side.after;
-    return !is_side(region) && boundary(region, p) < 0.0;
-  }
-
   /// Within the slot, as far as its open ends allow? `from` is p - c at its foot.
   bool inside(const CurvePlace& place, const Vec2& from) const {
     if (from.norm() > slot_.half_width) return false;
@@ -318,20 +183,20 @@ class CurveSlotProfile {
   }
 
   int nearest_edge(const Vec2& p) const {
-    int best = none;
+    int best = RegionChain::none, region = static_cast<int>(chain_.sides().size());
     double least = infinite;
-    for (std::size_t i = 0; i < rounds_.size(); ++i) {
-      const RoundWall& round = rounds_[i];
-      const bool mouth = round.kind == SlotRegion::edge && round.after == none;
+    for (const RegionChain::Round& round : chain_.rounds()) {
+      const bool mouth = round.kind == SlotRegion::edge && round.after == RegionChain::none;
       const double distance = (p - round.center).norm();
-      if (mouth && distance < least) least = distance, best = static_cast<int>(sides_.size() + i);
+      if (mouth && distance < least) least = distance, best = region;
+      ++region;
     }
     return best;
   }
 
   // ---- what is wrong ----
 
-  void check_wall(std::string_view owner, const SideWall& side) const {
+  void check_wall(std::string_view owner, const RegionChain::Side& side) const {
     const CurvePiece& piece = curve_.piece(side.piece);
     const double h = slot_.half_width, from = piece.length_to(side.low),
                  length = piece.length_to(side.high) - from;
@@ -384,9 +249,8 @@ class CurveSlotProfile {
   }
 
   CurveSlot slot_;
+  RegionChain chain_;
   Curve curve_;
-  std::vector<SideWall> sides_;    // regions 2 i (left) and 2 i + 1 (right) along piece i
-  std::vector<RoundWall> rounds_;  // regions behind them
   std::optional<std::size_t> short_piece_;
 };
 
@@ -403,7 +267,7 @@ class FlatEndProfile {
   std::vector<SlotRegion> regions() const {
     return {at_end_ ? SlotRegion::end : SlotRegion::start, SlotRegion::wall};
   }
-  std::vector<CurvatureRange> curvatures() const { return {{0.0, 0.0}, {0.0, 0.0}}; }
+  std::vector<CurvatureRange> curvatures() const { return {{}, {}}; }
   Touch touch(int region, const Vec2& p) const {
     const double distance = region == 0 ? outwards_.dot(p - point_) : -half_width_;
     return {region, distance, outwards_, 0.0, 0.0};

@@ -48,17 +48,27 @@ struct Touch {
   double bend = 0.0;      // [1/m] Hessian of D = bend * t t^T, t = perp(normal)
   /// [1/m] of the wall, > 0 convex as the pin sees it (contact from outside), < 0 concave (a bore).
   double wall_curvature = 0.0;
+  double u = 0.0;  // where on the wall, as curvature_field() of the same profile understands it
 };
 
-/// [1/m] Least and greatest curvature of a wall, sign as in Touch.
+/// [1/m] Least, greatest and mean curvature of a wall, sign as in Touch.
 struct CurvatureRange {
-  double low = 0.0, high = 0.0;
+  double low = 0.0, high = 0.0, mean = 0.0;
+};
+
+/// The curvature of the wall touched as a function of where p is, with n = Touch::normal and
+/// t = perp(n): gradient along t, Hessian tt t t^T + tn (t n^T + n t^T). Zero on lines and arcs.
+struct CurvatureField {
+  double along = 0.0;         // [1/m^2]
+  double tt = 0.0, tn = 0.0;  // [1/m^3]
 };
 
 /// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
 /// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
-/// its gradient agree. Optional: std::vector<CurvatureRange> curvatures() const, one for each region,
-/// for laws that follow the curvature of the wall.
+/// its gradient agree. Optional, for laws that take the curvature of the wall:
+///   std::vector<CurvatureRange> curvatures() const           one for each region
+///   CurvatureField curvature_field(const Touch&) const       where it changes along a region
+///   bool follows(int region) const                           whether that is known; default: yes
 template <class P>
 concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
                                std::string_view owner) {
@@ -101,6 +111,10 @@ class Slot {
   double half_width() const { return profile_->half_width(); }
   std::vector<SlotRegion> regions() const { return profile_->regions(); }
   std::vector<CurvatureRange> curvatures() const { return profile_->curvatures(); }
+  bool follows(int region) const { return profile_->follows(region); }
+  CurvatureField curvature_field(const Touch& touch) const {
+    return profile_->curvature_field(touch);
+  }
   Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
   int nearest(const Vec2& p) const { return profile_->nearest(p); }
   double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
@@ -121,6 +135,8 @@ class Slot {
     virtual double half_width() const = 0;
     virtual std::vector<SlotRegion> regions() const = 0;
     virtual std::vector<CurvatureRange> curvatures() const = 0;
+    virtual bool follows(int region) const = 0;
+    virtual CurvatureField curvature_field(const Touch& touch) const = 0;
     virtual Touch touch(int region, const Vec2& p) const = 0;
     virtual int nearest(const Vec2& p) const = 0;
     virtual double boundary(int region, const Vec2& p) const = 0;
@@ -137,6 +153,18 @@ class Slot {
       if constexpr (requires { profile.curvatures(); }) return profile.curvatures();
       const double unknown = std::numeric_limits<double>::infinity();
       return std::vector<CurvatureRange>(profile.regions().size(), {-unknown, unknown});
+    }
+    bool follows(int region) const override {
+      if constexpr (requires { profile.follows(region); })
+        return profile.follows(region);
+      else
+        return requires(const Touch& t) { profile.curvature_field(t); };
+    }
+    CurvatureField curvature_field(const Touch& touch) const override {
+      if constexpr (requires { profile.curvature_field(touch); })
+        return profile.curvature_field(touch);
+      else
+        return {};
     }
     Touch touch(int region, const Vec2& p) const override { return profile.touch(region, p); }
     int nearest(const Vec2& p) const override { return profile.nearest(p); }

@@ -31,6 +31,13 @@ struct ElasticResponse {
   double energy = 0.0;     // [J] integral of the force from 0
 };
 
+/// Of a law that follows the curvature k [1/m] of the wall, > 0 convex as the disc sees it.
+struct GradedResponse {
+  ElasticResponse here{};    // force = denergy/dpenetration, stiffness = dforce/dpenetration
+  ElasticResponse slope{};   // the derivative of each by k
+  double energy_bend = 0.0;  // [J m^2] d2energy/dk2
+};
+
 template <class F>
 concept ElasticFunction = requires(const F& law, double penetration) {
   { law(penetration) } -> std::convertible_to<ElasticResponse>;
@@ -40,11 +47,16 @@ concept ElasticFunction = requires(const F& law, double penetration) {
 ///   double limit() const       largest penetration it is valid for [m]; default: none
 ///   std::string name() const   for results and errors
 ///   void check() const         throws ModelError if a parameter is wrong; called once, here
+///   GradedResponse operator()(double penetration, double curvature) const
+///                              the law follows the local curvature of the wall. Without a curvature
+///                              it is then taken for a typical one, for scales. Made from a function
+///                              of the wall where one is given (contact/wall_law.hpp).
 class ElasticLaw {
  public:
   template <ElasticFunction F>
   ElasticLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
     limit_ = function_->limit();
+    follows_ = function_->follows();
   }
 
   /// Force, stiffness and energy at a penetration of either sign. Below zero it is the odd
@@ -58,6 +70,16 @@ class ElasticLaw {
     return r;
   }
 
+  bool follows_curvature() const { return follows_; }
+  /// The same where the curvature of the wall is `curvature` [1/m]; only if follows_curvature().
+  GradedResponse response(double penetration, double curvature) const {
+    const double size = std::abs(penetration);
+    if (size > limit_) return {response(penetration), response(penetration), not_a_number};
+    GradedResponse r = function_->respond(size, curvature);
+    if (penetration < 0.0) r.here.force = -r.here.force, r.slope.force = -r.slope.force;
+    return r;
+  }
+
   double limit() const { return limit_; }  ///< [m], infinite if the law has none
   std::string name() const { return function_->name(); }
 
@@ -66,11 +88,18 @@ class ElasticLaw {
   double penetration_at(double force) const;
 
  private:
+  friend class LocalLaw;  // makes laws that last as long as an evaluation
+  ElasticLaw() = default;
+
   static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
   struct Function {
     virtual ~Function() = default;
     virtual ElasticResponse respond(double penetration) const = 0;
+    virtual bool follows() const { return false; }
+    virtual GradedResponse respond(double penetration, double /*curvature*/) const {
+      return {.here = respond(penetration)};
+    }
     virtual double limit() const = 0;
     virtual std::string name() const = 0;
   };
@@ -81,6 +110,13 @@ class ElasticLaw {
       if constexpr (requires { law.check(); }) law.check();
     }
     ElasticResponse respond(double penetration) const override { return law(penetration); }
+    bool follows() const override { return graded; }
+    GradedResponse respond(double penetration, double curvature) const override {
+      if constexpr (graded)
+        return law(penetration, curvature);
+      else
+        return {.here = law(penetration)};
+    }
     double limit() const override {
       if constexpr (requires { law.limit(); })
         return law.limit();
@@ -93,11 +129,15 @@ class ElasticLaw {
       else
         return "elastic law";
     }
+    static constexpr bool graded = requires(const F& f, double x) {
+      { f(x, x) } -> std::convertible_to<GradedResponse>;
+    };
     F law;
   };
 
   std::shared_ptr<const Function> function_;
   double limit_ = 0.0;
+  bool follows_ = false;
 };
 
 /// The input of a dissipative law.
@@ -142,6 +182,10 @@ concept DissipativeFunction = requires(const F& law, const ContactInput& input,
 ///       [m] changes sign where the formula has a corner (of the force or its derivatives), about
 ///       the distance from it: no step then passes over the corner, and the accuracy of the method
 ///       is kept. Without it the formula is smooth while in contact.
+///   double force_change(const ContactInput&, const ElasticLaw&, const ElasticLaw& change) const
+///       [N m] derivative of the force while the elastic law changes by `change` (N m, N, J m in
+///       place of N, N/m, J): for laws that are to follow the curvature of a wall though their
+///       force is not a sum of multiples of the elastic response
 ///   std::string name() const, void check() const     as for ElasticLaw
 class DissipativeLaw {
  public:
@@ -153,6 +197,7 @@ class DissipativeLaw {
     needs_largest_penetration_ = function_->needs_largest_penetration();
     release_ = function_->release();
     has_kink_ = function_->has_kink();
+    knows_force_change_ = function_->knows_force_change();
   }
 
   ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const {
@@ -171,6 +216,12 @@ class DissipativeLaw {
   double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const {
     return function_ ? function_->permanent_set(memory, elastic) : 0.0;
   }
+  bool knows_force_change() const { return knows_force_change_; }
+  /// Only if knows_force_change().
+  double force_change(const ContactInput& in, const ElasticLaw& elastic,
+                      const ElasticLaw& change) const {
+    return function_->force_change(in, elastic, change);
+  }
   bool none() const { return !function_; }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
@@ -183,6 +234,9 @@ class DissipativeLaw {
     virtual double permanent_set(const ContactMemory&, const ElasticLaw&) const = 0;
     virtual bool has_kink() const = 0;
     virtual double kink(const ContactInput&, const ElasticLaw&) const = 0;
+    virtual bool knows_force_change() const = 0;
+    virtual double force_change(const ContactInput&, const ElasticLaw&,
+                                const ElasticLaw&) const = 0;
     virtual std::string name() const = 0;
   };
 
@@ -219,6 +273,14 @@ class DissipativeLaw {
       else
         return -1.0;
     }
+    bool knows_force_change() const override { return changes; }
+    double force_change(const ContactInput& in, const ElasticLaw& elastic,
+                        const ElasticLaw& change) const override {
+      if constexpr (changes)
+        return law.force_change(in, elastic, change);
+      else
+        return 0.0;
+    }
     std::string name() const override {
       if constexpr (requires { law.name(); })
         return law.name();
@@ -228,6 +290,10 @@ class DissipativeLaw {
     static constexpr bool kinked =
         requires(const F& f, const ContactInput& in, const ElasticLaw& e) {
       { f.kink(in, e) } -> std::convertible_to<double>;
+    };
+    static constexpr bool changes =
+        requires(const F& f, const ContactInput& in, const ElasticLaw& e) {
+      { f.force_change(in, e, e) } -> std::convertible_to<double>;
     };
     static constexpr bool has_permanent_set =
         requires(const F& f, const ContactMemory& m, const ElasticLaw& e) {
@@ -239,6 +305,7 @@ class DissipativeLaw {
   std::shared_ptr<const Function> function_;
   bool needs_largest_penetration_ = false;
   bool has_kink_ = false;
+  bool knows_force_change_ = false;
   Release release_ = Release::at_zero_force;
 };
 

@@ -68,6 +68,8 @@ double Curve::length_to(const CurvePlace& place) const {
 }
 
 CurvePlace Curve::nearest_local(const Vec2& p) const {
+  if (pieces_.size() == 1)
+    return {0, std::clamp(pieces_.front()->foot(p), 0.0, pieces_.front()->end())};
   CurvePlace best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pieces_.size(); ++i) {

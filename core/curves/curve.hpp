@@ -14,6 +14,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,9 +35,16 @@ struct CurveOffset {
   double distance = 0.0;   // [m] > 0 on the left of the curve
   Vec2 normal{0.0, 1.0};   // unit, to the left, at the foot: the gradient of `distance`
   double curvature = 0.0;  // [1/m] of the curve at the foot
+  double u = 0.0;          // the foot; 0 of lines and arcs, where nothing depends on it
 
   /// [1/m] b of the Hessian of `distance`, b t t^T with t along the curve.
   double bend() const { return -curvature / (1.0 - curvature * distance); }
+};
+
+/// How the curvature goes on along a curve, with its length l.
+struct CurvatureChange {
+  double first = 0.0;   // [1/m^2] dk/dl
+  double second = 0.0;  // [1/m^3] d2k/dl2
 };
 
 /// A smooth piece. Beyond its ends it goes on smoothly: steps of an integrator look ahead. Immutable.
@@ -50,6 +58,8 @@ class CurvePiece {
   /// u of the point nearest to p; beyond the ends, the foot on the continuation.
   virtual double foot(const Vec2& p) const = 0;
   virtual CurveOffset offset(const Vec2& p) const = 0;
+  /// At u. Nothing if the piece does not know: laws then cannot follow the curvature along it.
+  virtual std::optional<CurvatureChange> curvature_change(double /*u*/) const { return {}; }
   virtual double length_to(double u) const = 0;  ///< [m] of the curve from 0 to u
   virtual double at_length(double s) const = 0;  ///< the inverse: u where length_to(u) = s
   /// The same piece turned about the origin by `angle` [rad], then shifted [m].

@@ -67,14 +67,31 @@ class RelativePoint {
     const Row tau = gradient(perp(n), at);
     for (std::size_t i = 0; i < columns; ++i)
       for (std::size_t j = 0; j < columns; ++j) H[columns * i + j] = bend * tau[i] * tau[j];
+    add_turning(n, at, H);
+  }
+
+  /// Of any function of the place whose gradient is `along` t and whose Hessian is
+  /// tt t t^T + tn (t n^T + n t^T), t = perp(n).
+  static void calc_hessian(double along, double tt, double tn, const Vec2& n, const Place& at,
+                           Square& H) {
+    const Row nu = gradient(n, at), tau = gradient(perp(n), at);
+    for (std::size_t i = 0; i < columns; ++i)
+      for (std::size_t j = 0; j < columns; ++j)
+        H[columns * i + j] = tt * tau[i] * tau[j] + tn * (tau[i] * nu[j] + nu[i] * tau[j]);
+    add_turning(along * perp(n), at, H);
+  }
+
+ private:
+  /// What the turning of the bodies adds, `slope` being the gradient of the function over the place.
+  static void add_turning(const Vec2& slope, const Place& at, Square& H) {
     const auto add = [&H](std::size_t i, std::size_t j, double value) {
       H[columns * i + j] += value;
       if (i != j) H[columns * j + i] += value;
     };
-    add(2, 2, -n.dot(at.s));
-    add(5, 5, -n.dot(at.w));
-    add(2, 5, n.dot(at.s));
-    const Vec2 turned = perp(n);
+    add(2, 2, -slope.dot(at.s));
+    add(5, 5, -slope.dot(at.w));
+    add(2, 5, slope.dot(at.s));
+    const Vec2 turned = perp(slope);
     for (std::size_t e = 0; e < 2; ++e) {
       const double value = turned[static_cast<Eigen::Index>(e)];
       add(e, 5, value);
@@ -82,7 +99,6 @@ class RelativePoint {
     }
   }
 
- private:
   BodyId a_, b_;
   Vec2 point_;   // [m] in a's frame
   Vec2 origin_;  // [m] of the shape's frame, and its x axis, in b's frame

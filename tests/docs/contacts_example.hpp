@@ -48,13 +48,26 @@ Model latch(const ContactLaw& law) {
 }
 
 // A law that takes the radius of each wall.
-SlotLaws by_radius(double pin_radius) {
+auto by_radius(double pin_radius) {
   return [pin_radius](const SlotWall& wall) {
     const double flat = 1e-3;  // [1/m]: on a plane Johnson's law has no bound
     const bool straight = std::abs(wall.curvature) < flat;
     const RoundPair pair = pair_of(pin_radius, straight ? flat : wall.curvature);
     return ContactLaw{johnson(pair, 10.0_mm), HuntCrossley{0.3}};
   };
+}
+
+// A roller on an oval cam: its stiffness follows the radius of the cam, or is that of its mean radius.
+DiscOnCurve roller_on_cam(BodyId roller, BodyId cam, const Vec2& at, Radii radii) {
+  const Curve oval =
+      curve_of([](double t) { return Vec2(40.0_mm * std::cos(t), 25.0_mm * std::sin(t)); }, 0.0,
+               2.0 * pi, {.closed = true});
+  return {.name = "cam",
+          .disc = {roller, at, 8.0_mm},
+          .body = cam,
+          .curve = oval,
+          .side = CurveSide::right,
+          .law = {by_radius(8.0_mm), radii}};
 }
 
 // A ball between a floor and a belt, and beside another ball.

@@ -6,7 +6,7 @@
 #include <yoke/tests/documentation.hpp>
 
 TEST_CASE("the code in docs/contacts.md is compiled here and does what it says") {
-  yoke::tests::check_blocks("docs/contacts.md", "cpp", 6, {"tests/docs/contacts_example.hpp"});
+  yoke::tests::check_blocks("docs/contacts.md", "cpp", 7, {"tests/docs/contacts_example.hpp"});
 
   using namespace yoke;
   using namespace yoke::contacts_example;
@@ -43,4 +43,11 @@ TEST_CASE("the code in docs/contacts.md is compiled here and does what it says")
       .slot = {ground, arc_slot({.radius = 60.0_mm, .angle = 2.0, .half_width = 8.0_mm})},
       .law = by_radius(7.9_mm)};
   CHECK(arc.build(balls)->penetration_scale() > 0.0);
+  double scales[2] = {};
+  for (const Radii radii : {Radii::local, Radii::mean})
+    scales[radii == Radii::mean ? 1 : 0] =
+        roller_on_cam(ball, ground, {48.0_mm, 0.0}, radii).build(balls)->penetration_scale();
+  CHECK(scales[1] > 0.0);
+  CHECK(scales[0] > 0.5 * scales[1]);
+  CHECK(scales[0] < 2.0 * scales[1]);
 }

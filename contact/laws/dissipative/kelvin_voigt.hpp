@@ -33,6 +33,15 @@ struct KelvinVoigt {
     const double dc_dd = 0.5 * c * (r.stiffness / r.force - 1.0 / in.penetration);
     return damped_beside(r, c, dc_dd, in.rate);
   }
+  double force_change(const ContactInput& in, const ElasticLaw& elastic,
+                      const ElasticLaw& change) const {
+    const ElasticResponse r = elastic.response(in.penetration),
+                          dr = change.response(in.penetration);
+    const double scale = damping_ratio(e) * std::sqrt(in.memory.effective_mass) * in.rate;
+    if (!(std::abs(r.force) > 1e-100 && std::abs(in.penetration) > 1e-100))
+      return dr.force + scale * dr.stiffness / std::sqrt(r.stiffness);
+    return dr.force + scale * dr.force / std::sqrt(r.force * in.penetration);
+  }
   Release release() const { return release_of(tensile); }
   std::string name() const { return "kelvin-voigt"; }
   void check() const { require_range("law 'kelvin-voigt'", "e", e, least_restitution, 1.0); }

@@ -28,6 +28,11 @@ struct Tsuji {
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_stored_energy(in, elastic.response(in.penetration), damping_ratio(e));
   }
+  double force_change(const ContactInput& in, const ElasticLaw& elastic,
+                      const ElasticLaw& change) const {
+    return damped_by_stored_energy_change(in, elastic.response(in.penetration),
+                                          change.response(in.penetration), damping_ratio(e));
+  }
   Release release() const { return release_of(tensile); }
   std::string name() const { return "tsuji"; }
   void check() const { require_range("law 'tsuji'", "e", e, least_restitution, 1.0); }

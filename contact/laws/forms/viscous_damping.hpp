@@ -55,4 +55,16 @@ inline ContactOutput damped_by_stored_energy(const ContactInput& in, const Elast
   return damped_beside(e, scale * size / root, dc_dd, in.rate);
 }
 
+/// The derivative of its force while e changes by `change`.
+inline double damped_by_stored_energy_change(const ContactInput& in, const ElasticResponse& e,
+                                             const ElasticResponse& change, double xi) {
+  const double scale = 2.0 * xi * std::sqrt(in.memory.effective_mass);
+  if (!(e.energy > 1e-200))
+    return change.force + 0.5 * scale * change.stiffness / std::sqrt(e.stiffness) * in.rate;
+  const double root = std::sqrt(2.0 * e.energy), sign = in.penetration < 0.0 ? -1.0 : 1.0;
+  const double c_change =
+      sign * scale * (change.force - e.force * change.energy / (2.0 * e.energy)) / root;
+  return change.force + c_change * in.rate;
+}
+
 }  // namespace yoke

@@ -20,6 +20,9 @@ class LinePiece final : public CurvePiece {
   CurveOffset offset(const Vec2& p) const override {
     return {cross(tangent_, p - start_), perp(tangent_), 0.0};
   }
+  std::optional<CurvatureChange> curvature_change(double) const override {
+    return CurvatureChange{};
+  }
   double length_to(double u) const override { return u; }
   double at_length(double s) const override { return s; }
   std::shared_ptr<const CurvePiece> moved(double angle, const Vec2& shift) const override;
@@ -44,6 +47,9 @@ class ArcPiece final : public CurvePiece {
     const double rho = from.norm();
     const Vec2 inwards = rho > 0.0 ? Vec2(-from / rho) : Vec2(-1.0, 0.0);
     return {turn_ * (radius_ - rho), turn_ * inwards, turn_ / radius_};
+  }
+  std::optional<CurvatureChange> curvature_change(double) const override {
+    return CurvatureChange{};
   }
   double length_to(double u) const override { return u; }
   double at_length(double s) const override { return s; }

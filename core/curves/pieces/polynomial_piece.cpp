@@ -30,13 +30,17 @@ PolynomialPiece::PolynomialPiece(std::vector<Cell> cells, int degree, bool close
   make_grid();
 }
 
-PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
+PolynomialPiece::Place PolynomialPiece::place_of(double u) const {
   const double last = end();
   if (closed_) u -= last * std::floor(u / last);
   const double inside = closed_ ? u : std::clamp(u, -look_ahead, last + look_ahead);
   const std::size_t cell =
       static_cast<std::size_t>(std::clamp(std::floor(inside), 0.0, last - 1.0));
-  const double x = 2.0 * (inside - static_cast<double>(cell)) - 1.0;
+  return {cell, 2.0 * (inside - static_cast<double>(cell)) - 1.0, u - inside};
+}
+
+PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
+  const auto [cell, x, beyond] = place_of(u);
   const auto& a = cells_[cell].coefficient;
   // Horner for the value and both derivatives at once.
   Vec2 c = a[static_cast<std::size_t>(degree_)], c1(0.0, 0.0), c2(0.0, 0.0);
@@ -46,8 +50,8 @@ PolynomialPiece::Jet PolynomialPiece::jet(double u) const {
     c = x * c + a[static_cast<std::size_t>(k)];
   }
   Jet j{c, 2.0 * c1, 8.0 * c2};
-  if (inside != u) {  // far beyond an end: straight on
-    j.c += (u - inside) * j.c1;
+  if (beyond != 0.0) {  // far beyond an end: straight on
+    j.c += beyond * j.c1;
     j.c2.setZero();
   }
   return j;
@@ -60,9 +64,30 @@ CurvePoint PolynomialPiece::at(double u) const {
 }
 
 CurveOffset PolynomialPiece::offset(const Vec2& p) const {
-  const CurvePoint foot_point = at(foot(p));
+  const double u = foot(p);
+  const CurvePoint foot_point = at(u);
   const Vec2 normal = perp(foot_point.tangent);
-  return {normal.dot(p - foot_point.point), normal, foot_point.curvature};
+  return {normal.dot(p - foot_point.point), normal, foot_point.curvature, u};
+}
+
+/// With A = c1 x c2, B = c1 . c2 and v = |c1|: k = A/v^3, differentiated by u, and d/dl = (1/v) d/du.
+std::optional<CurvatureChange> PolynomialPiece::curvature_change(double u) const {
+  const auto [cell, x, beyond] = place_of(u);
+  if (beyond != 0.0) return CurvatureChange{};
+  const auto& a = cells_[cell].coefficient;
+  std::array<Vec2, 5> c;  // c and its derivatives by x, each divided by the factorial of its order
+  c.fill(Vec2(0.0, 0.0));
+  for (int k = degree_; k >= 0; --k) {
+    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] = x * c[i] + c[i - 1];
+    c[0] = x * c[0] + a[static_cast<std::size_t>(k)];
+  }
+  const Vec2 c1 = 2.0 * c[1], c2 = 8.0 * c[2], c3 = 48.0 * c[3], c4 = 384.0 * c[4];
+  const double v2 = c1.squaredNorm(), v = std::sqrt(v2), v3 = v * v2;
+  const double A = cross(c1, c2), A_u = cross(c1, c3), A_uu = cross(c2, c3) + cross(c1, c4);
+  const double B = c1.dot(c2) / v2, B_u = (c2.squaredNorm() + c1.dot(c3)) / v2;
+  const double k_u = (A_u - 3.0 * A * B) / v3;
+  const double k_uu = (A_uu - 6.0 * A_u * B - 3.0 * A * B_u + 15.0 * A * B * B) / v3;
+  return CurvatureChange{k_u / v, (k_uu - k_u * B) / v2};
 }
 
 /// Newton's method on (c - p) . c' = 0 from the nearest sample; where the distance is no minimum to

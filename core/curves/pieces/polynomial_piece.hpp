@@ -30,6 +30,7 @@ class PolynomialPiece final : public CurvePiece {
   CurvePoint at(double u) const override;
   double foot(const Vec2& p) const override;
   CurveOffset offset(const Vec2& p) const override;
+  std::optional<CurvatureChange> curvature_change(double u) const override;
   double length_to(double u) const override;
   double at_length(double s) const override;
   std::shared_ptr<const CurvePiece> moved(double angle, const Vec2& shift) const override;
@@ -40,6 +41,12 @@ class PolynomialPiece final : public CurvePiece {
     Vec2 c, c1, c2;
   };
   Jet jet(double u) const;
+  struct Place {
+    std::size_t cell;
+    double x;       // in the cell
+    double beyond;  // cells beyond where the polynomial goes on; straight on from there
+  };
+  Place place_of(double u) const;
   double cell_length(std::size_t cell, double from, double to) const;
   void make_samples();
   void make_grid();

@@ -78,6 +78,33 @@ TEST_CASE("the curve of a function is that function to rounding, however it is d
   check_geometry(whole, 1e-13);
 }
 
+TEST_CASE("how the curvature of an ellipse changes along it is known exactly") {
+  constexpr double a = 0.3, b = 0.2;
+  const Curve ellipse = curve_of([](double t) { return Vec2(a * std::cos(t), b * std::sin(t)); },
+                                 0.0, 2.0 * pi, {.closed = true});
+  for (const double t : {0.0, 0.4, 1.3, 2.2, 4.0, 5.9}) {
+    const CurvePlace place = ellipse.nearest(Vec2(a * std::cos(t), b * std::sin(t)));
+    const auto change = ellipse.piece(place.piece).curvature_change(place.u);
+    REQUIRE(change);
+    // With w the square of the speed, k = a b w^(-3/2).
+    const double w = a * a * std::sin(t) * std::sin(t) + b * b * std::cos(t) * std::cos(t);
+    const double w1 = (a * a - b * b) * std::sin(2.0 * t),
+                 w2 = 2.0 * (a * a - b * b) * std::cos(2.0 * t);
+    const double first = -1.5 * a * b * w1 / std::pow(w, 3.0);
+    const double second = -1.5 * a * b * (w2 - 3.0 * w1 * w1 / w) / std::pow(w, 3.5);
+    // The curve is the ellipse to rounding; each derivative makes more of it.
+    CHECK(change->first == doctest::Approx(first).epsilon(1e-8).scale(10.0));
+    CHECK(change->second == doctest::Approx(second).epsilon(1e-6).scale(100.0));
+  }
+  for (const Curve& even : {line_segment({0.0, 0.0}, {1.0, 2.0}), circle({0.0, 0.0}, 0.3)}) {
+    const auto change = even.piece(0).curvature_change(0.1);
+    REQUIRE(change);
+    // The curve is the ellipse to rounding; each derivative makes more of it.
+    CHECK(change->first == 0.0);
+    CHECK(change->second == 0.0);
+  }
+}
+
 TEST_CASE("a spline converges to the curve its points come from at the order of its degree") {
   const auto wave = [](double u) { return Vec2(u, 0.1 * std::sin(3.0 * u)); };
   for (const int degree : {3, 5}) {
