@@ -91,12 +91,16 @@ double ContactElement::touch(const ForceInput& in) const {
 // The two kinds of "apart" with a memory; margins keep a put-off onset from being taken for them.
 
 bool ContactElement::remembers(const ForceInput& in, const ContactMemory& memory) const {
-  return memory.release_penetration > 2.0 * touch(in);
+  return memory.release_penetration > 2.0 * touch(in) && !behind(memory);
+}
+
+bool ContactElement::behind(const ContactMemory& memory) {
+  return memory.phase == ContactPhase::apart && memory.release_penetration == behind_the_wall;
 }
 
 bool ContactElement::lifted(const ForceInput& in, const ContactMemory& memory) const {
   return memory.phase == ContactPhase::apart &&
-         memory.release_penetration > memory.permanent_set + 2.0 * touch(in);
+         memory.release_penetration > memory.permanent_set + 2.0 * touch(in) && !behind(memory);
 }
 
 std::array<double, columns> ContactElement::velocity(const Motion& motion) const {

@@ -42,6 +42,8 @@
 //                the pin without a force. Its stored energy continues to fall with d and counts as
 //                dissipated (D = -dS/dt). The contact resumes where the law's force becomes
 //                positive again, and ends finally at the permanent set.
+// A third kind is behind the wall: what comes through the material from its back, as a pin that has
+// left an open slot, is deep within at once. It stays apart, with a note, until it is in front.
 // Where two regions have different laws, the stored energy jumps from one law's to the other's as
 // the contact passes over; the jump counts as dissipation (of either sign). So the energy ledger
 // stays balanced through every transition.
@@ -128,6 +130,7 @@ class ContactElement final : public ForceElement {
   bool leaves_band(const ForceInput& in, const Approach& now) const;
   double margin(const ForceInput& in, const Approach& now, double end) const;
   bool remembers(const ForceInput& in, const ContactMemory& memory) const;
+  static bool behind(const ContactMemory& memory);
   bool lifted(const ForceInput& in, const ContactMemory& memory) const;
   /// The force where the law follows the curvature of the wall.
   void evaluate_following(const ForceInput& in, const ForceRequest& out) const;
@@ -156,6 +159,7 @@ class ContactElement final : public ForceElement {
   void handle_kink(EventContext& context) const;
   void assume_approach(EventContext& context, const Approach& now) const;
   void note_side_of_kink(ContactMemory& memory, const Approach& now) const;
+  void come_through(EventContext& context, int region, const Approach& now) const;
   void begin(EventContext& context, int region, const Approach& now) const;
   bool works_without_mass(const ContactMemory& memory, const Approach& now) const;
   void end_compression(ContactMemory& memory, double penetration) const;

@@ -32,6 +32,10 @@ void ContactElement::calc_events_apart(const ForceInput& in, double* g) const {
   if (!remembers(in, memory)) {
     ContactKinematics k;
     geometry_->calc_kinematics(in.motion, watched_region(in, memory), false, k);
+    if (behind(memory)) {
+      g[forget] = -k.penetration;
+      return;
+    }
     g[onset] = k.penetration - memory.release_penetration;
     g[closest] = -rate(k, in.motion) - slowest_recession * in.scales.length / in.scales.time;
     return;

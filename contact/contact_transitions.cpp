@@ -61,6 +61,7 @@ ContactElement::Approach ContactElement::calc_approach(const EventContext& conte
 
 /// Does the memory of a snapshot still agree with where the bodies are?
 bool ContactElement::goes_on(const ForceInput& in, const ContactMemory& memory) const {
+  if (behind(memory)) return geometry_->penetration(in.motion, geometry_->nearest(in.motion)) > 0.0;
   const bool apart = memory.phase == ContactPhase::apart;
   if (apart && !remembers(in, memory)) return false;
   const double end = apart && !lifted(in, memory) ? 0.0 : memory.permanent_set;
@@ -103,7 +104,8 @@ void ContactElement::handle_event(int event, EventContext& context) const {
       if (context.contact->phase == ContactPhase::restituting) handle_reload(context);
       break;
     case forget:
-      if (apart && remembers(context.input, *context.contact)) handle_forget(context);
+      if (apart && (behind(*context.contact) || remembers(context.input, *context.contact)))
+        handle_forget(context);
       break;
     case region_end:
       if (!apart || remembers(context.input, *context.contact)) handle_region_end(context);
@@ -127,6 +129,10 @@ void ContactElement::handle_onset(EventContext& context) const {
   const int region = watched_region(context.input, memory);
   const Approach now = calc_approach(context, region);
   const bool remembered = remembers(context.input, memory);
+  if (!remembered && now.penetration > std::max(penetration_scale_, 1e3 * touch(context.input))) {
+    come_through(context, region, now);
+    return;
+  }
   if (!lifted(context.input, memory)) {
     const double threshold = remembered ? memory.permanent_set : 0.0;
     const bool enters = now.rate > 0.0 && leaves_band(context.input, now);
@@ -144,6 +150,17 @@ void ContactElement::handle_onset(EventContext& context) const {
     begin(context, region, now);
   }
   record(context, "onset", region, now);
+}
+
+/// What was apart is deep in a wall at once: it did not come through the surface but from behind, as
+/// a pin that has left a slot and goes back through its material. It is apart until it is in front.
+void ContactElement::come_through(EventContext& context, int region, const Approach& now) const {
+  context.contact->release_penetration = behind_the_wall;
+  if (context.note)
+    context.note(fmt::format(
+        "came from behind the wall '{}' at t = {:.6g} s, where it is {:.3g} m deep; it was taken to be "
+        "apart until it was in front of the wall",
+        region_names_[static_cast<std::size_t>(region)], context.input.motion.t, now.penetration));
 }
 
 void ContactElement::begin(EventContext& context, int region, const Approach& now) const {
@@ -241,7 +258,7 @@ void ContactElement::handle_forget(EventContext& context) const {
     memory.release_penetration = memory.permanent_set;
     return;
   }
-  const int region = memory.region;
+  const int region = watched_region(context.input, memory);
   memory = {};
   memory.region = region;
   // A rest of rounding must not leave the onset on the wrong side of zero.

@@ -20,6 +20,17 @@ void require_disc(const std::string& owner, std::string_view what, const Disc& d
   require_not_negative(owner, fmt::format("radius of the {}", what), disc.radius, "m");
 }
 
+/// A disc may start within the material, but not with all of it.
+void require_in_front(const std::string& owner, const Disc& disc, const Slot& wall) {
+  const Vec2 p = rotate(-wall.angle(), disc.at - wall.origin());
+  const double beyond = wall.touch(wall.nearest(p), p).distance;
+  if (disc.radius > 0.0 && beyond > disc.radius)
+    throw ModelError(fmt::format(
+        "{}: the centre of the disc ({:g}, {:g}) m is {:g} m behind the surface in the start pose; "
+        "the other side is .side = CurveSide::left or right, the depth of the material .thickness",
+        owner, disc.at.x(), disc.at.y(), beyond));
+}
+
 }  // namespace
 
 std::unique_ptr<ForceElement> DiscOnCurve::build(const Model& model) const {
@@ -34,6 +45,7 @@ std::unique_ptr<ForceElement> DiscOnCurve::build(const Model& model) const {
                             .disc_radius = disc.radius,
                             .thickness = thickness});
   wall.check_shape(owner);
+  require_in_front(owner, disc, wall);
   std::vector<ContactLaw> laws =
       laws_along(owner, wall, disc.radius, reference_force, [this](SlotRegion) { return law; });
   return std::make_unique<ContactElement>(

@@ -40,8 +40,8 @@ enum class CurveSide { left, right };
 /// m.add(DiscOnCurve{.name = "floor", .disc = {ball, centre, 10.0_mm}, .body = ground,
 ///                   .curve = straight_line({0.0, 0.0}, {1.0, 0.0}), .law = ...});
 /// Corners that point away from the disc are edges; into a corner the disc would touch two sides at
-/// once: that is two contacts. Throws ModelError for those, and for a hollow of a smaller radius than
-/// the disc's.
+/// once: that is two contacts. Throws ModelError for those, for a hollow of a smaller radius than
+/// the disc's, and for a disc that starts behind the surface.
 struct DiscOnCurve {
   std::string name;
   Disc disc;

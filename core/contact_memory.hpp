@@ -19,7 +19,7 @@ struct ContactMemory {
   double effective_mass = 0.0;       // [kg] along the normal at onset, 1/(n^T J A J^T n)
   double largest_penetration = 0.0;  // [m] at the last end of compression
   double permanent_set = 0.0;        // [m] residual indentation left by this contact
-  double release_penetration = 0.0;  // [m] of the next onset: a dent, a lifted contact, or a margin
+  double release_penetration = 0.0;  // [m] of the next onset, see contact_element.hpp
   bool past_kink = false;            // of the dissipative law, if its formula has one
   friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
 };

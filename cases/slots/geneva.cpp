@@ -28,6 +28,8 @@
 // the middle of the index the wheel is slowed down, and the pin goes over to the other wall.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/slots/machine_laws.hpp>
@@ -108,11 +110,40 @@ struct Geneva {
     const double x = std::sin(share());
     return -std::atan2(x * std::sin(alpha), 1.0 - x * std::cos(alpha));
   }
+  std::optional<double> crossing_speed() const;
   double wheel_speed(double alpha) const {
     const double x = std::sin(share()), c = std::cos(alpha);
     return -(x * c - x * x) / (1.0 + x * x - 2.0 * x * c) * omega;
   }
 };
+
+/// [m/s] At which the pin hits the other wall after the middle of the index: it lets go where the
+/// wheel, slowed down by its drag alone, would go on faster than the pin lets it, and crosses twice the
+/// clearance. None if the drag is so strong that it never does.
+std::optional<double> Geneva::crossing_speed() const {
+  const double x = std::sin(share()), rate = drag / inertia;
+  const auto slope = [&](double alpha) {  // of wheel_speed, by the angle alpha
+    const double reach = 1.0 + x * x - 2.0 * x * std::cos(alpha);
+    return x * std::sin(alpha) * (1.0 - x * x) / (reach * reach) * omega;
+  };
+  constexpr int parts = 100000;
+  const double step = engaged() / parts;
+  for (int k = 0; k < parts; ++k) {  // the wheel turns clockwise: angles and speeds are < 0
+    const double letting_go = k * step;
+    if (!(slope(letting_go) * omega + rate * wheel_speed(letting_go) > 0.0)) continue;
+    const double angle = wheel_angle(letting_go), speed = wheel_speed(letting_go);
+    for (double alpha = letting_go; alpha < engaged(); alpha += step) {
+      const double t = (alpha - letting_go) / omega, slowed = std::exp(-rate * t),
+                   ahead = wheel_angle(alpha) - angle -
+                           speed * (rate > 0.0 ? (1.0 - slowed) / rate : t);
+      const double arm = (rotate(alpha, {crank, 0.0}) - wheel_axis()).norm();
+      if (arm * std::sin(ahead) >= 2.0 * clearance)
+        return arm * (wheel_speed(alpha) - speed * slowed);
+    }
+    break;
+  }
+  return {};
+}
 
 /// The mass that gives a disc of the radius of the rim this moment of inertia.
 double disc_mass(const Geneva& c) { return 2.0 * c.inertia / (c.rim() * c.rim()); }
@@ -261,6 +292,18 @@ std::vector<Check> geneva_checks(const Geneva& c, const Result& run) {
                       .unit = "m/s",
                       .tolerance = 1e-6 * c.omega * c.crank,
                       .remark = "closed form"});
+  // The pin changes walls in the middle of an index: compared if it lay still on the one before.
+  const auto left = std::ranges::find_if(
+      run.events, [](const EventRecord& e) { return is_onset(e, "slot 1") && e.region == "left"; });
+  const std::optional<double> crossing = c.crossing_speed();
+  if (left != run.events.end() && left != run.events.begin() && crossing &&
+      std::prev(left)->kind == "release" && std::abs(std::prev(left)->speed) < 0.05 * *crossing)
+    checks.push_back({.what = "speed of the first impact on the other wall",
+                      .value = left->speed,
+                      .expected = *crossing,
+                      .unit = "m/s",
+                      .tolerance = 0.1 * *crossing,
+                      .remark = "rigid walls"});
   checks.push_back(energy_check(run));
   return checks;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <yoke/contact/contact_element.hpp>
 
@@ -18,6 +19,9 @@ using ContactRow = std::array<double, columns>;
 /// Share of a law's limit at which a run stops. The event must be found by steps that still
 /// evaluate the law, and at the limit itself a law may have an infinite stiffness.
 inline constexpr double usable_share_of_limit = 0.99;
+
+/// ContactMemory::release_penetration [m] of what is apart behind the wall.
+inline constexpr double behind_the_wall = std::numeric_limits<double>::max();
 
 inline double dot(const ContactRow& a, const ContactRow& b) {
   double sum = 0.0;

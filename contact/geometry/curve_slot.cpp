@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <yoke/contact/geometry/region_chain.hpp>
+#include <yoke/core/curves/bend_range.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -71,6 +72,7 @@ class CurveSlotProfile {
           "{:g} m has no wall there",
           owner, *short_piece_ + 1, slot_.half_width));
     for (const RegionChain::Side& side : chain_.sides()) check_wall(owner, side);
+    if (!curve_.closed()) check_end(owner, false), check_end(owner, true);
     require_simple(owner, curve_);
   }
 
@@ -199,24 +201,50 @@ class CurveSlotProfile {
     const double h = slot_.half_width, from = piece.length_to(side.low),
                  length = piece.length_to(side.high) - from;
     const char* name = side.sign > 0.0 ? "left" : "right";
+    const BendRange bends = bend_range(piece, side.low, side.high);
+    const double sharpest = side.sign > 0.0 ? bends.high : -bends.low;
+    if (!(sharpest * h < 1.0 - 1e-9))
+      throw ModelError(fmt::format(
+          "{}: the {} wall would have a cusp: {:g} m along the centreline its radius is {:g} m, "
+          "not greater than half_width = {:g} m",
+          owner, name, curve_.length_to({side.piece, side.sign > 0.0 ? bends.u_high : bends.u_low}),
+          1.0 / sharpest, h));
     const int parts = std::clamp(static_cast<int>(4.0 * length / h), 16, most_samples);
     for (int k = 0; k <= parts; ++k) {
       const double s = from + length * k / parts;
       const CurvePoint at = piece.at(piece.at_length(s));
       const double along = curve_.length_to({side.piece, piece.at_length(s)});
-      if (!(side.sign * at.curvature * h < 1.0))
-        throw ModelError(fmt::format(
-            "{}: the {} wall would have a cusp: {:g} m along the centreline its radius is {:g} m, "
-            "not greater than half_width = {:g} m",
-            owner, name, along, 1.0 / std::abs(at.curvature), h));
       const Vec2 wall = at.point + side.sign * h * perp(at.tangent);
-      const CurvePlace foot = curve_.nearest_local(wall);
-      const double clear = (curve_.piece(foot.piece).at(foot.u).point - wall).norm();
-      if (clear < (1.0 - closeness) * h)
-        throw ModelError(fmt::format(
-            "{}: walls meet: the {} wall {:g} m along the centreline is only {:g} m from the "
-            "centreline {:g} m along it; half_width = {:g} m",
-            owner, name, along, clear, curve_.length_to(foot), h));
+      require_clear(owner, wall, fmt::format("{} wall {:g} m along the centreline", name, along));
+    }
+  }
+
+  /// No point of a wall is closer to the centreline than the half-width.
+  void require_clear(std::string_view owner, const Vec2& wall, std::string_view what) const {
+    const double h = slot_.half_width;
+    const CurvePlace foot = curve_.nearest_local(wall);
+    const double clear = (curve_.piece(foot.piece).at(foot.u).point - wall).norm();
+    if (clear < (1.0 - closeness) * h)
+      throw ModelError(fmt::format(
+          "{}: walls meet: the {} is only {:g} m from the centreline {:g} m along it; half_width = "
+          "{:g} m",
+          owner, what, clear, curve_.length_to(foot), h));
+  }
+
+  /// The same for what closes a round or flat end.
+  void check_end(std::string_view owner, bool at_end) const {
+    const SlotEnd kind = at_end ? slot_.end : slot_.start;
+    if (kind == SlotEnd::open) return;
+    const CurvePiece& piece = curve_.piece(at_end ? curve_.pieces() - 1 : 0);
+    const CurvePoint at = piece.at(at_end ? piece.end() : 0.0);
+    const Vec2 outwards = at_end ? at.tangent : Vec2(-at.tangent);
+    constexpr int parts = 32;
+    for (int k = -parts; k <= parts; ++k) {
+      const double x = static_cast<double>(k) / parts;
+      const Vec2 away = kind == SlotEnd::round ? rotate(0.5 * pi * x, outwards)
+                                               : Vec2(outwards + x * perp(outwards));
+      require_clear(owner, at.point + slot_.half_width * away,
+                    at_end ? "end of the slot" : "start of the slot");
     }
   }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/curves/bend_range.hpp>
+
 namespace yoke {
 
 namespace {
@@ -55,12 +57,14 @@ std::vector<CurvatureRange> RegionChain::curvatures() const {
   std::vector<CurvatureRange> ranges;
   for (const Side& side : sides_) {
     const CurvePiece& piece = curve_.piece(side.piece);
-    CurvatureRange range{unbounded, -unbounded};
+    const BendRange bends = bend_range(piece, side.low, side.high);
+    const double one = curvature_of_wall(side.sign * bends.low),
+                 other = curvature_of_wall(side.sign * bends.high);
+    CurvatureRange range{std::min(one, other), std::max(one, other)};
     double turn = 0.0, length = 0.0;
     for (int i = 0; i <= curvature_samples; ++i) {
       const CurvePoint at = piece.at(side.low + (side.high - side.low) * i / curvature_samples);
-      const double k = side.sign * at.curvature, curvature = curvature_of_wall(k);
-      range = {std::min(range.low, curvature), std::max(range.high, curvature)};
+      const double k = side.sign * at.curvature;
       const double weight = (i % curvature_samples == 0 ? 0.5 : 1.0) * at.speed;
       turn += weight * k;
       length += weight * (1.0 - k * distance_);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <yoke/contact/geometry/region_chain.hpp>
+#include <yoke/core/curves/bend_range.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -78,15 +79,16 @@ class WallProfile {
             "sides at once; make each side a contact of its own",
             owner, corner.before + 1, corner.turn));
     if (!std::isfinite(curve_.length())) return;
-    constexpr int parts = 400;
-    for (int k = 0; k <= parts; ++k) {
-      const double s = curve_.length() * k / parts;
-      const double hollow = sign_ * curve_.at(s).curvature * wall_.disc_radius;
-      if (!(hollow < 1.0))
+    for (std::size_t i = 0; i < curve_.pieces(); ++i) {
+      const CurvePiece& piece = curve_.piece(i);
+      const BendRange bends = bend_range(piece, 0.0, piece.end());
+      const double hollow = (sign_ > 0.0 ? bends.high : -bends.low) * wall_.disc_radius;
+      if (!(hollow < 1.0 - 1e-9))
         throw ModelError(fmt::format(
             "{}: {:g} m along the curve its radius is {:g} m, not greater than the {:g} m of the "
             "disc that is to fit into it",
-            owner, s, wall_.disc_radius / hollow, wall_.disc_radius));
+            owner, curve_.length_to({i, sign_ > 0.0 ? bends.u_high : bends.u_low}),
+            wall_.disc_radius / hollow, wall_.disc_radius));
     }
   }
 

@@ -29,13 +29,14 @@ enum class Conformity { external, internal };
 /// A round pin on a round wall.
 struct RoundPair {
   double pin_radius = 0.0;   // [m], > 0
-  double wall_radius = 0.0;  // [m], > 0; internal: greater than pin_radius
+  double wall_radius = 0.0;  // [m], > 0; internal: greater than pin_radius; infinite: a plane
   Conformity conformity = Conformity::external;
   Material pin = steel;
   Material wall = steel;
 
-  /// Throws ModelError that names the law and the parameter.
-  void check(std::string_view law) const;
+  /// Throws ModelError that names the law and the parameter. Laws that depend on the sum of the radii
+  /// do not take a plane.
+  void check(std::string_view law, bool takes_plane = false) const;
   double modulus() const { return composite_modulus(pin, wall); }  ///< [Pa] E*
   /// [m] Delta R: sum of the radii (external) or wall minus pin (internal).
   double radius_difference() const;
@@ -43,7 +44,11 @@ struct RoundPair {
   /// that names the law if it is zero.
   double printed_radius_difference(std::string_view law) const;
   /// [m] R = R_pin R_wall / Delta R.
-  double relative_radius() const { return pin_radius * wall_radius / radius_difference(); }
+  double relative_radius() const;
 };
+
+/// A pin on a wall of curvature [1/m] > 0 convex, < 0 concave, 0 plane, as slots and walls report it.
+RoundPair pair_of(double pin_radius, double wall_curvature, const Material& pin = steel,
+                  const Material& wall = steel);
 
 }  // namespace yoke

@@ -68,6 +68,8 @@ double Curve::length_to(const CurvePlace& place) const {
 }
 
 CurvePlace Curve::nearest_local(const Vec2& p) const {
+  if (pieces_.size() == 1)
+    return {0, std::clamp(pieces_.front()->foot(p), 0.0, pieces_.front()->end())};
   CurvePlace best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -142,17 +144,42 @@ std::vector<CurveCorner> corners_of(const Curve& curve) {
   return corners;
 }
 
+namespace {
+
+/// Appends the points behind u0 up to u1 of a piece, with chords short and nearly straight.
+void append_chords(const CurvePiece& piece, double u0, double u1, double longest, int splits,
+                   std::vector<Vec2>& points) {
+  const CurvePoint from = piece.at(u0), to = piece.at(u1), middle = piece.at(0.5 * (u0 + u1));
+  constexpr double largest_turn = 0.25;  // [rad] along half a chord
+  const bool straight =
+      std::abs(turn_between(from.tangent, middle.tangent)) < largest_turn &&
+      std::abs(turn_between(middle.tangent, to.tangent)) < largest_turn &&
+      (middle.point - from.point).norm() + (to.point - middle.point).norm() < longest;
+  if (straight || splits == 0) {
+    points.push_back(to.point);
+    return;
+  }
+  append_chords(piece, u0, 0.5 * (u0 + u1), longest, splits - 1, points);
+  append_chords(piece, 0.5 * (u0 + u1), u1, longest, splits - 1, points);
+}
+
+}  // namespace
+
 void require_simple(std::string_view owner, const Curve& curve) {
   if (!std::isfinite(curve.length())) return;
-  constexpr int parts = 512;
-  const std::vector<Vec2> points = curve.sample(curve.length() / parts);
+  constexpr int parts = 512, most_splits = 14;
+  std::vector<Vec2> points{curve.piece(0).at(0.0).point};
+  for (std::size_t i = 0; i < curve.pieces(); ++i)
+    append_chords(curve.piece(i), 0.0, curve.piece(i).end(), curve.length() / parts, most_splits,
+                  points);
   const std::size_t sides = points.size() - 1;
   for (std::size_t i = 0; i < sides; ++i)
     for (std::size_t j = i + 2; j < sides; ++j) {
       if (curve.closed() && i == 0 && j == sides - 1) continue;  // neighbours too
       if (segments_cross(points[i], points[i + 1], points[j], points[j + 1]))
         throw ModelError(fmt::format("{}: the curve crosses itself near ({:g}, {:g})", owner,
-                                     points[i].x(), points[i].y()));
+                                     points[i].x() + curve.origin().x(),
+                                     points[i].y() + curve.origin().y()));
     }
 }
 

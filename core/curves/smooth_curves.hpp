@@ -5,7 +5,9 @@
 // evaluates every curve at the same small cost and never calls a user's function.
 #pragma once
 
+#include <concepts>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include <yoke/core/curves/curve.hpp>
@@ -29,9 +31,18 @@ struct FunctionOptions {
 /// The curve of a smooth function for `from` <= u <= `to`, [m]:
 ///   curve_of([](double u) { return Vec2(0.1 * std::cos(u), 0.05 * std::sin(u)); }, 0.0, pi)
 /// It is replaced by polynomials of degree 9 that agree with it to rounding, whose derivatives are
-/// exact; the function is called here only. Throws ModelError if the function is not finite, stands
-/// still (a cusp), or is not smooth, and says where.
+/// exact; the function is called here only. How fast it runs along the curve does not matter: where
+/// that changes much, the length becomes the parameter. Throws ModelError if the function is not
+/// finite, stands still (a cusp), has a corner, or is not smooth, and says where.
 Curve curve_of(const std::function<Vec2(double)>& function, double from, double to,
                const FunctionOptions& options = {});
+
+/// Refuses a function that returns an expression of Eigen instead of a Vec2: what it refers to would
+/// be gone. Write `-> Vec2` or `return Vec2(...)`.
+template <class F>
+requires std::is_invocable_v<F, double> &&
+    (!std::same_as<std::remove_cvref_t<std::invoke_result_t<F, double>>, Vec2>)  //
+    Curve
+    curve_of(F function, double from, double to, const FunctionOptions& options = {}) = delete;
 
 }  // namespace yoke

@@ -16,6 +16,7 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr int golden_steps = 30;  // a part of 5e-7 of where it is looked for
 constexpr double steepest = 2.0;  // rise of a gap beyond a look, of that between looks
+constexpr double wide = 8.0;      // a gap, of its change within a step
 constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of the function
 
 }  // namespace
@@ -103,13 +104,17 @@ double EventLocator::value(Formulation& formulation, int slot, double t, State& 
 void EventLocator::look_inside(Formulation& formulation, Step step, double from, double to,
                                State& scratch) {
   for (Watched& w : watched_) w.seen.front() = w.seen.back();
-  for (std::size_t i = 1; i < looks.size(); ++i) {
+  const auto look = [&](std::size_t i) {
     formulation.glance(i + 1 < looks.size() ? from + looks[i] * (to - from) : to, scratch);
     calc(scratch);
     for (Watched& w : watched_) w.seen[i] = values_[static_cast<std::size_t>(w.slot)];
-  }
+  };
+  for (const std::size_t i : few_looks) look(i);
+  const bool far = std::ranges::all_of(watched_, is_far);
+  for (std::size_t i = 1; !far && i < looks.size(); ++i)
+    if (std::ranges::count(few_looks, i) == 0) look(i);
   for (Watched& w : watched_) {
-    if (!w.active) continue;
+    if (far || !w.active) continue;
     const bool known =
         step == Step::event && (std::ranges::count(formulation.fired(), w.slot) > 0 ||
                                 std::ranges::count(formulation.passed(), w.slot) > 0);
@@ -140,6 +145,16 @@ double EventLocator::first_crossing(Formulation& formulation, const Watched& w, 
     if (crossing < nowhere) return crossing;
   }
   return nowhere;
+}
+
+/// A gap that is wide against all that it does within a step needs no closer look.
+bool EventLocator::is_far(const Watched& w) {
+  if (!w.active) return true;
+  if (!w.of_contact()) return false;
+  double least = w.seen.front(), most = least;
+  for (const std::size_t i : few_looks)
+    least = std::min(least, w.seen[i]), most = std::max(most, w.seen[i]);
+  return most + wide * (most - least) < 0.0;
 }
 
 bool EventLocator::is_largest(const Watched& w, std::size_t i) {

@@ -5,8 +5,9 @@
 // function crossed zero unnoticed because it came back within the step.
 //
 // In contact the forces keep steps short. Functions of contacts that are apart, and of elements
-// without contacts, as a user's are, are looked at within every accepted step: at `looks`, and
-// where a function is larger than at the looks beside, at its maximum. So an excursion above zero that lasts longer
+// without contacts, as a user's are, are looked at within every accepted step: at `looks`, or at few of
+// them while every gap is wide against what it changes by; and where a function is larger than at the
+// looks beside, at its maximum. So an excursion above zero that lasts longer
 // than `longest_gap` of the step is always found, a shorter one if the function rises to it and
 // falls behind it in the eyes of the looks. What is above zero at once after an event has to be
 // negative first, as in EventGuard.
@@ -36,6 +37,9 @@ class EventLocator {
   static constexpr std::array<double, 11> looks = {0.0,       1.0 / 64.0,  1.0 / 8.0, 2.0 / 8.0,
                                                    3.0 / 8.0, 4.0 / 8.0,   5.0 / 8.0, 6.0 / 8.0,
                                                    7.0 / 8.0, 63.0 / 64.0, 1.0};
+  /// Indices of those that tell whether all contacts are far from touching: at unequal distances, so
+  /// that nothing that comes and goes looks still.
+  static constexpr std::array<std::size_t, 4> few_looks = {2, 4, 7, 10};
   struct Watched {
     int slot = 0;
     int first_contact = 0, last_contact = 0;  // of its element, behind the last one
@@ -50,6 +54,7 @@ class EventLocator {
   void look_inside(Formulation& formulation, Step step, double from, double to, State& scratch);
   double first_crossing(Formulation& formulation, const Watched& w, std::size_t last, double from,
                         double to, State& scratch);
+  static bool is_far(const Watched& w);
   static bool is_largest(const Watched& w, std::size_t i);
   double find_above(Formulation& formulation, int slot, const std::array<double, 3>& t,
                     State& scratch);

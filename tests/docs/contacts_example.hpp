@@ -50,10 +50,9 @@ Model latch(const ContactLaw& law) {
 // A law that takes the radius of each wall.
 auto by_radius(double pin_radius) {
   return [pin_radius](const SlotWall& wall) {
-    const RoundPair pair{
-        .pin_radius = pin_radius,
-        .wall_radius = 1.0 / std::abs(wall.curvature),
-        .conformity = wall.curvature > 0.0 ? Conformity::external : Conformity::internal};
+    const double flat = 1e-3;  // [1/m]: on a plane Johnson's law has no bound
+    const bool straight = std::abs(wall.curvature) < flat;
+    const RoundPair pair = pair_of(pin_radius, straight ? flat : wall.curvature);
     return ContactLaw{johnson(pair, 10.0_mm), HuntCrossley{0.3}};
   };
 }

@@ -6,6 +6,7 @@
 
 #include <yoke/cases/paper/scotch_yoke_study.hpp>
 #include <yoke/cases/program/request.hpp>
+#include <yoke/cases/program/studies/geneva_study.hpp>
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/core/error.hpp>
 
@@ -15,9 +16,10 @@ namespace {
 
 int study(const RequestOptions& options) {
   const Case& c = find_case(options.case_name);
-  if (c.name != "scotch_yoke")
-    throw ModelError(fmt::format("case '{}' has no study; 'scotch_yoke' has one", c.name));
-  return exit_code(study_scotch_yoke(make_request(c, options)));
+  if (c.name == "scotch_yoke") return exit_code(study_scotch_yoke(make_request(c, options)));
+  if (c.name == "geneva") return exit_code(study_geneva(make_request(c, options)));
+  throw ModelError(
+      fmt::format("case '{}' has no study; 'scotch_yoke' and 'geneva' have one", c.name));
 }
 
 }  // namespace

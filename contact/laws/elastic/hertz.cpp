@@ -15,12 +15,12 @@ PowerLaw hertz(double modulus, double relative_radius) {
 }
 
 PowerLaw hertz(const RoundPair& pair) {
-  pair.check("hertz");
+  pair.check("hertz", true);
   return hertz(pair.modulus(), pair.relative_radius());
 }
 
 PowerLaw lankarani_nikravesh(const RoundPair& pair, double length, Reading reading) {
-  pair.check("lankarani-nikravesh");
+  pair.check("lankarani-nikravesh", true);
   PowerLaw law = hertz(pair.modulus(), pair.relative_radius());
   law.label = "lankarani-nikravesh";
   if (reading == Reading::tabulated) {

@@ -263,3 +263,37 @@ TEST_CASE("what cannot be milled is refused, with where and why") {
   CHECK(contains(refusal(wide), "half_width = -1 m must be finite and greater than 0 m"));
   CHECK(contains(refusal(along(straight_line({0.0, 0.0}, {1.0, 0.0}))), "finite length"));
 }
+
+TEST_CASE("walls that would have a cusp are refused however short it is, nearly one is not") {
+  // Radii of curvature: 10 mm at the vertex of a parabola, 10 nm of a nearly pointed cycloid; none
+  // where a sample of the curve falls by chance.
+  const Curve parabola = curve_of([](double u) { return Vec2(u, u * u / 0.02); }, -0.1, 0.0831);
+  const Curve pointed = curve_of(
+      [](double u) { return Vec2(0.01 * (u - 0.999 * std::sin(u)), -0.01 * 0.999 * std::cos(u)); },
+      -3.1, 2.7);
+  const auto refusal = [](const Curve& curve, double half_width) {
+    return message_of(
+        [&] { curve_slot({.centreline = curve, .half_width = half_width}).check_shape("slot"); });
+  };
+  CHECK(refusal(parabola, 9.99999e-3) == "no error");
+  CHECK(refusal(parabola, 10.00001e-3).find("slot: the left wall would have a cusp: ") == 0);
+  CHECK(refusal(pointed, 9e-9) == "no error");
+  CHECK(refusal(pointed, 1e-6).find("its radius is 1.001e-08 m") != std::string::npos);
+}
+
+TEST_CASE("round and flat ends that meet other walls are refused") {
+  const auto refusal = [](double angle, SlotEnd end) {
+    return message_of([&] {
+      curve_slot({.centreline = circular_arc({{0.0, 0.0}, 0.05, 0.0, angle}),
+                  .half_width = 5e-3,
+                  .start = end,
+                  .end = end})
+          .check_shape("slot");
+    });
+  };
+  // 2 asin(1/10) are left where the round ends touch.
+  const double touch = 2.0 * pi - 2.0 * std::asin(0.1);
+  CHECK(refusal(touch - 0.001, SlotEnd::round) == "no error");
+  CHECK(refusal(touch + 0.01, SlotEnd::round).find("slot: walls meet: the start of the slot") == 0);
+  CHECK(refusal(touch + 0.01, SlotEnd::flat).find("slot: walls meet: the start of the slot") == 0);
+}

@@ -150,3 +150,17 @@ TEST_CASE("wrong parameters of an elastic law are refused by name, value and ran
   pair.pin = {.E = 2e11, .nu = 0.6, .name = "putty"};
   CHECK(contains(message_of([&] { hertz(pair); }), "material 'putty': nu = 0.6"));
 }
+
+TEST_CASE("a pin on a plane: Hertz' law knows it, laws of cylinders say what they need") {
+  const RoundPair plane = pair_of(8e-3, 0.0), large = pair_of(8e-3, 1e-9);
+  CHECK(plane.conformity == Conformity::external);
+  CHECK(plane.relative_radius() == 8e-3);
+  CHECK(hertz(plane).K == doctest::Approx(hertz(large).K).epsilon(1e-10));
+  CHECK_NOTHROW(johnson(large, 10e-3));
+  CHECK(yoke::tests::message_of([&] {
+          johnson(plane, 10e-3);
+        }).find("law 'johnson': wall_radius = inf m: on a plane") == 0);
+  const RoundPair bore = pair_of(8e-3, -100.0);
+  CHECK(bore.conformity == Conformity::internal);
+  CHECK(bore.wall_radius == doctest::Approx(10e-3));
+}

@@ -209,6 +209,72 @@ TEST_CASE("what is no curve is refused with what is wrong") {
         }).find("track: the curve crosses itself") == 0);
 }
 
+TEST_CASE("a function that has a corner or a jump of curvature is refused, wherever it is") {
+  using tests::message_of;
+  for (const double at : {0.0, 0.25, 0.3123}) {  // the first two are where polynomials meet
+    CAPTURE(at);
+    CHECK(message_of([&] {
+            curve_of([&](double u) { return Vec2(u, std::abs(u - at)); }, -1.0, 1.0);
+          }) != "no error");
+    CHECK(message_of([&] {
+            curve_of([&](double u) { return Vec2(u, u < at ? 0.0 : (u - at) * (u - at)); }, -1.0,
+                     1.0);
+          }) != "no error");
+    // A cusp, between any points at which the function is looked at.
+    CHECK(message_of([&] {
+            curve_of([&](double u) { return Vec2(std::pow(u - at, 2), std::pow(u - at, 3)); }, -1.0,
+                     1.0);
+          }).find("it stands still at u = ") != std::string::npos);
+  }
+  CHECK(message_of([] {  // a drop: its ends meet at an angle
+          curve_of([](double u) { return Vec2(0.2 * std::sin(0.5 * u), 0.05 * std::sin(u)); }, 0.0,
+                   2.0 * pi, {.closed = true});
+        })
+            .find("it turns by -2.2143 rad at u = 6.28319") != std::string::npos);
+  CHECK(message_of([] { curve_of({}, 0.0, 1.0); }) == "curve of a function: no function is given");
+  CHECK(message_of([] {
+          curve_through({{0.0, 0.0}, {0.1, std::nan("")}, {0.2, 0.0}, {0.3, 0.1}});
+        }) == "curve through points: point 2 y = nan must be a finite number");
+}
+
+TEST_CASE("how fast a function runs along its curve does not matter") {
+  // A circle of radius 1 passed 1e5 times as fast at the end as at the start.
+  const Curve arc = curve_of(
+      [](double u) {
+        const double a = std::pow(u, 5);
+        return Vec2(std::cos(a), std::sin(a));
+      },
+      0.05, 1.0);
+  CHECK(arc.length() == doctest::Approx(1.0 - std::pow(0.05, 5)).epsilon(1e-14));
+  for (int i = 0; i <= 100; ++i) {
+    const CurvePoint at = arc.at(arc.length() * i / 100.0);
+    CHECK(at.curvature == doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(at.point.norm() == doctest::Approx(1.0).epsilon(1e-14));
+  }
+  // Where it bends too sharply for that it stays as it is.
+  const Curve sharp = curve_of(
+      [](double u) { return Vec2(u - 0.99 * std::sin(u), -0.99 * std::cos(u)); }, -1.0, 1.0);
+  const CurvePoint vertex = sharp.at(0.5 * sharp.length());
+  CHECK(vertex.curvature == doctest::Approx(0.99 / (0.01 * 0.01)).epsilon(1e-6));
+}
+
+TEST_CASE("a parameter that is large is not taken for roughness; tight turns do not cross") {
+  const auto f = [](double u) { return Vec2(0.001 * u * Vec2(std::cos(u), std::sin(u))); };
+  const auto length = [](double u) {
+    return 0.0005 * (u * std::sqrt(1.0 + u * u) + std::asinh(u));
+  };
+  const Curve spiral = curve_of(f, 5.0, 200.0);
+  CHECK(spiral.length() == doctest::Approx(length(200.0) - length(5.0)).epsilon(1e-12));
+  CHECK(tests::message_of([&] { require_simple("track", spiral); }) == "no error");
+  // A loop a thousandth as long as the track.
+  const Curve looped = chain({line_segment({-1.0, 0.0}, {0.0, 0.0}),
+                              circular_arc({{0.0, 2e-4}, 2e-4, -pi / 2.0, 1.5 * pi}),
+                              line_segment({-2e-4, 2e-4}, {-2e-4, -1.0})});
+  CHECK(tests::message_of([&] {
+          require_simple("track", looped);
+        }).find("track: the curve crosses itself") == 0);
+}
+
 TEST_CASE("a straight line does not cross itself, whatever its direction") {
   for (int i = 0; i < 720; ++i) {
     const Vec2 along = rotate(i * pi / 360.0, {1.0, 0.0});
