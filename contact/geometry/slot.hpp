@@ -55,10 +55,17 @@ struct CurvatureRange {
   double low = 0.0, high = 0.0;
 };
 
+/// A wall as it is drawn, its material on the right of the points.
+struct WallLine {
+  std::vector<Vec2> points{};  // [m] in the frame of the profile
+  bool closed = false;
+  bool endless = false;  // the straight line through the two points
+};
+
 /// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
 /// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
 /// its gradient agree. Optional: std::vector<CurvatureRange> curvatures() const, one for each region,
-/// for laws that follow the curvature of the wall.
+/// for laws that follow the curvature of the wall; std::vector<WallLine> outline() const, to be drawn.
 template <class P>
 concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
                                std::string_view owner) {
@@ -101,6 +108,7 @@ class Slot {
   double half_width() const { return profile_->half_width(); }
   std::vector<SlotRegion> regions() const { return profile_->regions(); }
   std::vector<CurvatureRange> curvatures() const { return profile_->curvatures(); }
+  std::vector<WallLine> outline() const { return profile_->outline(); }
   Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
   int nearest(const Vec2& p) const { return profile_->nearest(p); }
   double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
@@ -121,6 +129,7 @@ class Slot {
     virtual double half_width() const = 0;
     virtual std::vector<SlotRegion> regions() const = 0;
     virtual std::vector<CurvatureRange> curvatures() const = 0;
+    virtual std::vector<WallLine> outline() const = 0;
     virtual Touch touch(int region, const Vec2& p) const = 0;
     virtual int nearest(const Vec2& p) const = 0;
     virtual double boundary(int region, const Vec2& p) const = 0;
@@ -137,6 +146,10 @@ class Slot {
       if constexpr (requires { profile.curvatures(); }) return profile.curvatures();
       const double unknown = std::numeric_limits<double>::infinity();
       return std::vector<CurvatureRange>(profile.regions().size(), {-unknown, unknown});
+    }
+    std::vector<WallLine> outline() const override {
+      if constexpr (requires { profile.outline(); }) return profile.outline();
+      return {};
     }
     Touch touch(int region, const Vec2& p) const override { return profile.touch(region, p); }
     int nearest(const Vec2& p) const override { return profile.nearest(p); }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -59,6 +60,21 @@ class WallProfile {
     std::vector<SlotRegion> kinds(curve_.pieces(), SlotRegion::wall);
     kinds.resize(curve_.pieces() + edges_.size(), SlotRegion::edge);
     return kinds;
+  }
+
+  std::vector<WallLine> outline() const {
+    WallLine line;
+    if (!std::isfinite(curve_.length())) {
+      const CurvePoint at = curve_.at(0.0);
+      line.points = {at.point - curve_.origin(), at.point + at.tangent - curve_.origin()};
+      line.endless = true;
+    } else {
+      line.points = curve_.sample(curve_.length() / points_of_drawn_curve);
+      for (Vec2& p : line.points) p -= curve_.origin();
+      line.closed = curve_.closed();
+    }
+    if (!wall_.disc_on_left) std::ranges::reverse(line.points);
+    return {line};
   }
 
   Touch touch(int region, const Vec2& p) const {
