@@ -42,6 +42,14 @@ struct Portrait {
   bool equal_scales = false;  // both axes show the same lengths alike
 };
 
+/// A stretch of a run that its report offers by name.
+struct ReportView {
+  std::string title;                   // "contact force over the last revolution"
+  double from = 0.0, to = 0.0;         // [s]
+  std::vector<std::string> columns{};  // of the engine, without units: "slot.normal_force"
+  bool over_penetration = false;       // the force over the penetration instead of over time
+};
+
 struct Case {
   std::string name;
   std::string group{};      // "linkages": `yoke list` prints cases by group
@@ -66,6 +74,8 @@ struct Case {
       law_checks{};
   /// Optional: pictures of its own, under the same conditions.
   std::function<std::vector<Portrait>(const Parameters&, const Model&, const Result&)> portraits{};
+  /// Optional: what its report offers to look at.
+  std::function<std::vector<ReportView>(const Parameters&)> views{};
   /// Optional: bodies whose path is drawn, y over x.
   std::vector<std::string> paths{};
   /// Optional: rows recorded of a run with contacts, at least. They are many more than are written

@@ -465,6 +465,29 @@ std::vector<Check> scotch_yoke_checks(const ScotchYoke& choices, const Model& mo
 
 }  // namespace
 
+namespace {
+
+/// What the paper's Figures 11 to 16 show, at the angles of their axes.
+std::vector<ReportView> paper_views(const ScotchYoke& choices) {
+  if (choices.slot == ScotchYoke::Slot::ideal) return {};
+  const double start = choices.last_revolution_start(), degree = (choices.end_time() - start) / 360;
+  const auto at = [&](double angle) { return start + angle * degree; };
+  const std::string force = "slot.normal_force", depth = "slot.penetration";
+  std::vector<ReportView> views = {
+      {"Figure 11: contact force over one revolution", at(0), at(360), {force}},
+      {"Figure 12: penetration over one revolution", at(0), at(360), {depth}},
+      {"Figure 13: penetration after the landing on the inner wall", at(90), at(180), {depth}},
+      {"Figure 14: contact force in the impact section", at(0), at(100), {force}},
+      {"Figure 15: one contact and rebound, on the outer wall", at(330), at(350), {force}},
+      {"Figure 16: position of the slider", at(0), at(360), {"slider.x"}},
+      {"Figure 16: velocity of the slider", at(0), at(360), {"slider.vx"}},
+      {"Figure 16: acceleration of the slider", at(0), at(360), {"slider.ax"}}};
+  views[4].over_penetration = true;
+  return views;
+}
+
+}  // namespace
+
 Case scotch_yoke_case() {
   return {.name = "scotch_yoke",
           .group = "joints with clearance",
@@ -483,6 +506,7 @@ Case scotch_yoke_case() {
                         const Model& model) { return motion_columns(ScotchYoke(p), model); },
           .checks = [](const Parameters& p, const Model& model,
                        const Result& run) { return scotch_yoke_checks(ScotchYoke(p), model, run); },
+          .views = [](const Parameters& p) { return paper_views(ScotchYoke(p)); },
           // 50 or more in the shortest impact; long runs less densely, to bound the memory.
           .recorded_rows =
               [](const Parameters& p) {

@@ -119,6 +119,8 @@ class ContactElement final : public ForceElement {
   std::vector<Channel> channels() const override;
   void calc_channels(const ForceInput& in, double* values) const override;
 
+  void draw(Drawing& drawing) const override { geometry_->draw(drawing); }
+
  private:
   struct Approach {
     double penetration, rate, acceleration;  // [m, m/s, m/s^2] d, d', d''

@@ -22,6 +22,7 @@
 
 namespace yoke {
 
+class Drawing;
 class Model;
 
 enum class Measure { length, angle };  ///< unit of an equation of Phi: [m] or [rad]
@@ -71,6 +72,9 @@ class Constraint {
 
   /// True if Phi depends on time, so that the joint does work on the mechanism (a driver).
   virtual bool rheonomic() const { return false; }
+
+  /// What it looks like (core/drawing/drawing.hpp); by default nothing is drawn.
+  virtual void draw(Drawing&) const {}
 
  private:
   std::string name_;

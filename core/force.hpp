@@ -18,6 +18,7 @@
 
 namespace yoke {
 
+class Drawing;
 class Model;
 
 /// A number that may be changed from run to run without building the model again. It lives in the
@@ -162,6 +163,9 @@ class ForceElement {
 
   virtual std::vector<Channel> channels() const { return {}; }
   virtual void calc_channels(const ForceInput&, double* /*values*/) const {}
+
+  /// What it looks like (core/drawing/drawing.hpp); by default nothing is drawn.
+  virtual void draw(Drawing&) const {}
 
  protected:
   const std::vector<BodyId>& own_bodies() const { return bodies_; }

@@ -72,6 +72,10 @@ void check_finite(const std::string& owner, const Body& body) {
   require_finite(owner, "velocity x", body.twist.velocity.x());
   require_finite(owner, "velocity y", body.twist.velocity.y());
   require_finite(owner, "angular velocity", body.twist.omega);
+  for (const Vec2& p : body.outline) {
+    require_finite(owner, "outline x", p.x());
+    require_finite(owner, "outline y", p.y());
+  }
 }
 
 }  // namespace

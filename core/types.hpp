@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace yoke {
 
@@ -57,6 +58,9 @@ struct Body {
   double inertia = 0.0;  // [kg m^2] about the centre of mass, >= 0
   Pose pose{};           // at the start; assembly corrects it if the joints require it
   Twist twist{};         // velocity at the start; corrected in the same way
+  /// [m] For pictures only: a closed polygon, global, in the start pose. Empty: made from what is
+  /// attached to the body (core/drawing/drawing.hpp).
+  std::vector<Vec2> outline{};
 };
 
 /// `body` with a point mass fixed to it at the global point `at` of its start pose: mass, centre of

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/distance.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/point_span.hpp>
 
@@ -49,6 +50,7 @@ class DistanceConstraint final : public Constraint {
   }
 
   Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(s_b_); }
+  void draw(Drawing& drawing) const override { drawing.rod(a_, s_a_, b_, s_b_); }
 
  private:
   BodyId a_, b_;

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/gear.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -30,6 +31,7 @@ class GearConstraint final : public Constraint {
   }
 
   std::size_t reaction_body() const override { return 1; }  // b
+  void draw(Drawing& drawing) const override { drawing.gear(a_, b_, c_, ratio_); }
 
  private:
   BodyId a_, b_, c_;

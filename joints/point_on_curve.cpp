@@ -2,11 +2,12 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/point_on_curve.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include <algorithm>
-
 #include <yoke/core/curves/relative_point.hpp>
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -48,6 +49,19 @@ class PointOnCurveConstraint final : public Constraint {
   std::size_t reaction_body() const override { return 0; }  // a, the point
   Vec2 reaction_point(const Motion& motion) const override {
     return motion[point_.a()].position() + point_.place(motion).s;
+  }
+  void draw(Drawing& drawing) const override {
+    drawing.point(point_.a(), point_.point());
+    if (!std::isfinite(curve_.length())) {
+      const CurvePoint at = curve_.at(0.0);
+      drawing.line(point_.b(), point_.on_body(at.point - curve_.origin()),
+                   point_.on_body(at.point + at.tangent - curve_.origin()) -
+                       point_.on_body(at.point - curve_.origin()));
+      return;
+    }
+    std::vector<Vec2> points = curve_.sample(curve_.length() / points_of_drawn_curve);
+    for (Vec2& p : points) p = point_.on_body(p - curve_.origin());
+    drawing.curve(point_.b(), std::move(points), curve_.closed());
   }
 
  private:

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/point_on_line.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/projection.hpp>
 
@@ -31,6 +32,10 @@ class PointOnLineConstraint final : public Constraint {
 
   std::size_t reaction_body() const override { return 0; }  // a, the point
   Vec2 reaction_point(const Motion& motion) const override { return motion[a_].point(s_a_); }
+  void draw(Drawing& drawing) const override {
+    drawing.line(b_, offset_ * n_b_, -perp(n_b_));
+    drawing.point(a_, s_a_);
+  }
 
  private:
   BodyId a_, b_;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/projection.hpp>
 
@@ -59,6 +60,11 @@ class PrismaticConstraint final : public Constraint {
   }
 
   Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(g_.s_b); }
+  void draw(Drawing& drawing) const override {
+    const Vec2 along = -perp(g_.n_a);
+    drawing.line(a_, g_.offset * g_.n_a, along);
+    drawing.block(b_, g_.s_b, rotate(-g_.difference, along));
+  }
 
  private:
   BodyId a_, b_;

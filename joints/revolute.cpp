@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/point_pair.hpp>
 
@@ -31,6 +32,7 @@ class RevoluteConstraint final : public Constraint {
   }
 
   Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(s_b_); }
+  void draw(Drawing& drawing) const override { drawing.pin(a_, s_a_, b_, s_b_); }
 
  private:
   BodyId a_, b_;

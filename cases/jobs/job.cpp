@@ -10,6 +10,7 @@
 #include <yoke/cases/jobs/progress.hpp>
 #include <yoke/cases/jobs/report.hpp>
 #include <yoke/cases/jobs/standard_figures.hpp>
+#include <yoke/cases/report/page.hpp>
 
 namespace yoke::cases {
 
@@ -47,6 +48,15 @@ struct Job {
     return run;
   }
 
+  void write_report(const std::vector<LawRun>& runs) const {
+    std::vector<std::string> replays;
+    for (const LawRun& run : runs)
+      if (!run.replay.empty()) replays.push_back(run.replay);
+    if (replays.empty()) return;
+    write_page(request.output / report_name, c.name, PageKind::report, replays);
+    fmt::print("report: {}\n", (request.output / report_name).string());
+  }
+
   void draw(const std::vector<LawRun>& runs, const std::vector<DrawnRun>& drawn) const {
     std::vector<Figure> figures = standard_figures(c.name, drawn);
     if (more)
@@ -81,6 +91,7 @@ RunStatus run_case(const Case& c, const RunRequest& request, const FigureMaker& 
   } else {
     fmt::print("results in {}\n", output);
   }
+  if (request.report) job.write_report(runs);
   const RunStatus status = worst_status(runs);
   if (status == RunStatus::interrupted) fmt::print("interrupted; what was computed is there\n");
   if (request.plots && status == RunStatus::completed) job.draw(runs, drawn);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <yoke/cases/jobs/progress.hpp>
+#include <yoke/cases/report/replay.hpp>
 
 namespace yoke::cases {
 
@@ -119,8 +120,21 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
     run.verification = verify(model, options, result);
   }
   run.checks = run_checks(c, request.parameters, law, model, result);
-  if (request.plots && c.portraits && result.summary.ok() && result.samples.rows() >= 2)
+  if ((request.plots || request.report) && c.portraits && result.summary.ok() &&
+      result.samples.rows() >= 2)
     run.portraits = c.portraits(request.parameters, model, result);
+  if (request.report && result.samples.rows() > 0)
+    run.replay = to_json(Replay{.c = c,
+                                .parameters = request.parameters,
+                                .law = law,
+                                .command = request.command,
+                                .model = model,
+                                .samples = result.samples,
+                                .events = result.events,
+                                .summary = result.summary,
+                                .checks = run.checks,
+                                .portraits = run.portraits,
+                                .share = std::max<std::size_t>(1, request.laws.size())});
   run.samples = std::move(result.samples);
   run.events = std::move(result.events);
   run.summary = std::move(result.summary);

@@ -40,6 +40,7 @@ struct LawRun {
   std::optional<Verification> verification{};
   std::vector<Check> checks{};
   std::vector<Portrait> portraits{};
+  std::string replay{};  // for a report (cases/report/replay.hpp), if one was asked for
 
   /// What motion.csv shows.
   const Table& motion() const { return history.names().empty() ? samples : history; }

@@ -28,12 +28,15 @@ set border linecolor rgb "#606060"
 set key outside right top reverse Left noautotitle samplen 2
 )";
 
-constexpr const char* still = R"(do for [format in "png svg"] {{
+// The PDF is as wide as a page of a journal with two columns, its text as large as a caption's.
+constexpr const char* still = R"(do for [format in "png svg pdf"] {{
   if (format eq "png") {{
     set terminal pngcairo size {width},{height} font "DejaVu Sans,11" background rgb "white"
-  }} else {{
+  }} else {{ if (format eq "svg") {{
     set terminal svg size {width},{height} font "DejaVu Sans,11" background rgb "white"
-  }}
+  }} else {{
+    set terminal pdfcairo size 17.4cm,{pdf_height}cm font "DejaVu Sans,6.5" linewidth 0.7
+  }} }}
   set output "{name}.".format
 {body}
   unset output
@@ -51,15 +54,17 @@ std::string script(const Figure& f) {
   return fmt::format(script_head, fmt::arg("title", f.title), fmt::arg("name", f.name)) +
          fmt::format(fmt::runtime(f.animated ? moving : still), fmt::arg("name", f.name),
                      fmt::arg("width", f.width), fmt::arg("height", f.height),
-                     fmt::arg("body", f.body));
+                     fmt::arg("pdf_height", 17.4 * f.height / f.width), fmt::arg("body", f.body));
 }
 
-/// Runs `gnuplot NAME.gp` in the folder, its messages into NAME.log. Returns the exit code, 127 if
-/// there is no gnuplot.
-int run_gnuplot(const std::string& name, const std::filesystem::path& folder) {
-  const std::string file = name + ".gp", log = name + ".log";
-  std::string program = "gnuplot", argument = file;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
+/// Runs a program in the folder, its messages into NAME.log, which stays if it fails. Returns the exit
+/// code, 127 if there is no such program.
+int run_tool(std::vector<std::string> words, const std::string& name,
+             const std::filesystem::path& folder) {
+  const std::string log = name + ".log";
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -67,7 +72,8 @@ int run_gnuplot(const std::string& name, const std::filesystem::path& folder) {
   posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
+  const int error =
+      posix_spawnp(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) return 127;
   int status = 0;
@@ -77,6 +83,15 @@ int run_gnuplot(const std::string& name, const std::filesystem::path& folder) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// The animation as a film too, if there is ffmpeg: smaller, and with buttons to stop it.
+void make_film(const std::string& name, const std::filesystem::path& folder) {
+  const int code = run_tool(
+      {"ffmpeg", "-y", "-loglevel", "error", "-i", name + ".gif", "-movflags", "+faststart",
+       "-pix_fmt", "yuv420p", "-vf", "scale=trunc(iw/2)*2:trunc(ih/2)*2", name + ".mp4"},
+      name, folder);
+  if (code != 0 && code != 127) std::filesystem::remove(folder / (name + ".mp4"));
+}
+
 }  // namespace
 
 std::string draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
@@ -84,8 +99,11 @@ std::string draw_figures(const std::vector<Figure>& figures, const std::filesyst
   make_output_folder(folder);
   for (const Figure& f : figures) write_text(folder / (f.name + ".gp"), script(f));
   std::vector<int> codes(figures.size());
-  run_parallel(figures.size(), jobs,
-               [&](std::size_t i) { codes[i] = run_gnuplot(figures[i].name, folder); });
+  run_parallel(figures.size(), jobs, [&](std::size_t i) {
+    const Figure& f = figures[i];
+    codes[i] = run_tool({"gnuplot", f.name + ".gp"}, f.name, folder);
+    if (f.animated && codes[i] == 0) make_film(f.name, folder);
+  });
 
   std::vector<std::string> failed;
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -100,7 +118,7 @@ std::string draw_figures(const std::vector<Figure>& figures, const std::filesyst
   if (!failed.empty())
     return fmt::format("plots: {}/, but gnuplot failed on {}; see the .log beside the script",
                        folder.string(), fmt::join(failed, ", "));
-  return fmt::format("plots: {}/*.png, *.svg, *.gif", folder.string());
+  return fmt::format("plots: {}/*.png, *.svg, *.pdf, *.gif", folder.string());
 }
 
 }  // namespace yoke::cases

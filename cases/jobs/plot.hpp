@@ -2,7 +2,8 @@
 // Copyright 2026 the Yoke authors
 //
 // Figures, drawn by gnuplot. Each is a script that stays beside its pictures and its data, so that
-// a user can change it and run it again: cd DIR/plots && gnuplot figure11.gp
+// a user can change it and run it again: cd DIR/plots && gnuplot figure11.gp. PNG and SVG for the
+// screen, PDF 174 mm wide for print; animations as GIF, and as MP4 where ffmpeg is installed.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +15,12 @@ namespace yoke::cases {
 /// One picture. The body is what comes between `set output` and the end of a gnuplot script; it
 /// reads files relative to the folder of the plots and may not contain here-documents.
 struct Figure {
-  std::string name;   // "figure11" becomes figure11.gp, .png, .svg
+  std::string name;   // "figure11" becomes figure11.gp, .png, .svg, .pdf
   std::string title;  // first line of the script
   int width = 1200;   // [pixels]
   int height = 700;
   std::string body;
-  bool animated = false;  // one .gif instead
+  bool animated = false;  // one .gif (and .mp4) instead
 };
 
 /// Writes the scripts into `folder` and runs gnuplot on each, `jobs` at a time. Returns one or two

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <yoke/cases/report/replay.hpp>
+
 namespace yoke::cases {
 
 namespace {
@@ -112,6 +114,7 @@ void write_run(const Case& c, const RunRequest& request, const LawRun& run,
   write_text(folder / "summary.json", summary_json(c, request, run));
   write_events(run.events, folder / "events.csv");
   run.motion().every(run.stride).write_csv(folder / "motion.csv");
+  if (!run.replay.empty()) write_text(folder / replay_file, run.replay);
 }
 
 void print_report(const std::vector<LawRun>& runs) {

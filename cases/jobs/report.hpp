@@ -12,7 +12,8 @@
 
 namespace yoke::cases {
 
-/// Writes summary.json, events.csv and motion.csv into `folder`. Throws OutputError.
+/// Writes summary.json, events.csv, motion.csv and, where the run has one, replay.json into `folder`.
+/// Throws OutputError.
 void write_run(const Case& c, const RunRequest& request, const LawRun& run,
                const std::filesystem::path& folder);
 

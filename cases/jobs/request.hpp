@@ -22,6 +22,8 @@ struct RunRequest {
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;
+  bool report = false;                      // report.html
+  std::string command{};                    // that asks for this, as a user would type it
   int jobs = 1;                             // runs at a time
   bool verify = false;                      // run again by another formulation and compare
   std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default

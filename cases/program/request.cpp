@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -120,6 +121,7 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->type_name("N")
       ->capture_default_str();
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
+  verb.add_flag("--no-report", o.no_report, "Do not write report.html");
   verb.add_flag("--verify", o.verify,
                 "Run again with another formulation at a tighter tolerance and print how many "
                 "digits of each quantity agree");
@@ -151,6 +153,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("relative_tolerance", o.relative_tolerance);
   visit("formulation", o.formulation);
   visit("no_plots", o.no_plots);
+  visit("no_report", o.no_report);
   visit("verify", o.verify);
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
@@ -159,7 +162,9 @@ void visit_options(Options& o, Visit&& visit) {
 
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
-bool added_later(std::string_view option) { return option == "spectral_radius"; }
+bool added_later(std::string_view option) {
+  return option == "spectral_radius" || option == "no_report";
+}
 
 }  // namespace
 
@@ -189,6 +194,36 @@ RequestOptions load_options(const std::filesystem::path& folder) {
   return options;
 }
 
+namespace {
+
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_-+.,:=/%").find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// What computes the same again; where it goes and what is drawn is left to the user.
+std::string command_of(const RequestOptions& o) {
+  const RequestOptions defaults;
+  std::string text = "yoke run " + quoted(o.case_name);
+  for (const std::string& setting : o.settings) text += " --set " + quoted(setting);
+  for (const std::string& law : o.laws) text += " --law " + quoted(law);
+  if (o.relative_tolerance != defaults.relative_tolerance)
+    text += fmt::format(" --rtol {:g}", o.relative_tolerance);
+  if (!o.formulation.empty()) text += " --formulation " + quoted(o.formulation);
+  if (!o.spectral_radius.empty()) text += " --spectral-radius " + quoted(o.spectral_radius);
+  if (o.samples != defaults.samples) text += fmt::format(" --samples {}", o.samples);
+  return text;
+}
+
+}  // namespace
+
 RunRequest make_request(const Case& c, const RequestOptions& o) {
   if (o.samples < 2)
     throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
@@ -207,6 +242,8 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .relative_tolerance = o.relative_tolerance,
           .formulation = checked_formulation(o.formulation),
           .plots = !o.no_plots,
+          .report = !o.no_report,
+          .command = command_of(o),
           .jobs = o.jobs > 0 ? o.jobs : processors,
           .verify = o.verify,
           .spectral_radius = checked_spectral_radius(o),

@@ -19,6 +19,9 @@ using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
+void add_view_verb(CLI::App& app, Action& action);
+void add_report_verb(CLI::App& app, Action& action);
+void add_compare_verb(CLI::App& app, Action& action);
 void add_law_verb(CLI::App& app, Action& action);
 void add_impact_verb(CLI::App& app, Action& action);
 void add_check_verb(CLI::App& app, Action& action);

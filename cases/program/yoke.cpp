@@ -21,6 +21,9 @@ namespace {
 void add_verbs(CLI::App& app, Action& action) {
   add_run_verb(app, action);
   add_resume_verb(app, action);
+  add_view_verb(app, action);
+  add_report_verb(app, action);
+  add_compare_verb(app, action);
   add_check_verb(app, action);
   add_kinematics_verb(app, action);
   add_inverse_dynamics_verb(app, action);

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include <yoke/core/drawing/drawing.hpp>
+
 namespace yoke {
 
 DiscGeometry::DiscGeometry(const Model& model, BodyId a, const Vec2& center, double radius,
@@ -72,6 +74,17 @@ double DiscGeometry::boundary(const Motion& motion, int region) const {
 
 int DiscGeometry::successor(const Motion& motion, int region) const {
   return slot_.successor(region, center_.local(motion));
+}
+
+void DiscGeometry::draw(Drawing& drawing) const {
+  drawing.disc(center_.a(), center_.point(), slot_.half_width() - clearance_);
+  for (WallLine& line : slot_.outline()) {
+    for (Vec2& p : line.points) p = center_.on_body(p);
+    if (line.endless)
+      drawing.endless_wall(center_.b(), line.points[0], line.points[1] - line.points[0]);
+    else
+      drawing.wall(center_.b(), std::move(line.points), line.closed);
+  }
 }
 
 }  // namespace yoke

@@ -33,6 +33,7 @@ class DiscGeometry final : public ContactGeometry {
   ContactPlace calc_place(const Motion& motion, int region) const override;
   double boundary(const Motion& motion, int region) const override;
   int successor(const Motion& motion, int region) const override;
+  void draw(Drawing& drawing) const override;
 
  private:
   struct Placed {

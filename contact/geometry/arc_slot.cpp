@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/contact/geometry/arc_slot.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <yoke/core/error.hpp>
@@ -34,6 +35,23 @@ class ArcProfile {
     const double in = 1.0 / (radius_ - half_width_), out = -1.0 / (radius_ + half_width_),
                  cap = -1.0 / half_width_;
     return {{in, in, in}, {out, out, out}, {cap, cap, cap}, {cap, cap, cap}};
+  }
+
+  std::vector<WallLine> outline() const {
+    WallLine line{.closed = true};
+    const auto add = [&line](const Vec2& center, double radius, double from, double to) {
+      const int parts = std::max(24, static_cast<int>(100.0 * std::abs(to - from)));
+      for (int i = 0; i <= parts; ++i) {
+        const double a = from + (to - from) * i / parts;
+        line.points.push_back(center + radius * Vec2(std::cos(a), std::sin(a)));
+      }
+    };
+    const Vec2 origin(0.0, 0.0);
+    add(origin, radius_ + half_width_, -half_angle_, half_angle_);
+    add(radius_ * end_, half_width_, half_angle_, half_angle_ + pi);
+    add(origin, radius_ - half_width_, half_angle_, -half_angle_);
+    add(radius_ * start_, half_width_, pi - half_angle_, 2.0 * pi - half_angle_);
+    return {line};
   }
 
   Touch touch(int region, const Vec2& p) const {

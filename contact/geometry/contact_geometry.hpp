@@ -13,6 +13,8 @@
 
 namespace yoke {
 
+class Drawing;
+
 /// One region at one state, over q = (x, y, angle) of body a and of body b.
 struct ContactKinematics {
   static constexpr std::size_t columns = 6;
@@ -60,6 +62,8 @@ class ContactGeometry {
   virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }
   /// The region that begins there.
   virtual int successor(const Motion& /*motion*/, int region) const { return region; }
+  /// What both sides look like (core/drawing/drawing.hpp); by default nothing is drawn.
+  virtual void draw(Drawing&) const {}
 };
 
 }  // namespace yoke

@@ -10,6 +10,7 @@
 
 #include <yoke/contact/geometry/region_chain.hpp>
 #include <yoke/core/curves/bend_range.hpp>
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -51,6 +52,17 @@ class CurveSlotProfile {
   double boundary(int region, const Vec2& p) const { return chain_.boundary(region, p); }
   int successor(int region, const Vec2& p) const { return chain_.successor(region, p); }
 
+  /// The sides, and of each round wall the directions in which a pin touches it.
+  std::vector<WallLine> outline() const {
+    std::vector<WallLine> lines;
+    for (const RegionChain::Side& side : chain_.sides()) lines.push_back(drawn_side(side));
+    const std::size_t sides = chain_.sides().size();
+    for (std::size_t i = 0; i < chain_.rounds().size(); ++i)
+      for (WallLine& line : drawn_round(static_cast<int>(sides + i)))
+        lines.push_back(std::move(line));
+    return lines;
+  }
+
   int nearest(const Vec2& p) const {
     const CurvePlace place = curve_.nearest_local(p);
     const CurvePoint at = curve_.piece(place.piece).at(place.u);
@@ -77,6 +89,44 @@ class CurveSlotProfile {
   }
 
  private:
+  /// To a flat end half a width further: what is across is a contact of its own.
+  WallLine drawn_side(const RegionChain::Side& side) const {
+    const CurvePiece& piece = curve_.piece(side.piece);
+    WallLine line{.closed = curve_.closed() && curve_.pieces() == 1};
+    const auto add = [&](const CurvePoint& at, double beyond) {
+      line.points.push_back(at.point + beyond * at.tangent +
+                            side.sign * slot_.half_width * perp(at.tangent));
+    };
+    const double h = slot_.half_width;
+    if (side.before == RegionChain::none && !curve_.closed()) add(piece.at(side.low), -h);
+    for (int i = 0; i <= points_of_drawn_curve; ++i)
+      add(piece.at(side.low + (side.high - side.low) * i / points_of_drawn_curve), 0.0);
+    if (side.after == RegionChain::none && !curve_.closed()) add(piece.at(side.high), h);
+    if (side.sign > 0.0) std::ranges::reverse(line.points);  // the material is outside
+    return line;
+  }
+
+  std::vector<WallLine> drawn_round(int region) const {
+    const RegionChain::Round& round = chain_.round_of(region);
+    const bool convex = round.kind == SlotRegion::edge;
+    const double radius = convex ? round.edge_radius : slot_.half_width;
+    const double inside = convex ? 1.5 : 0.5;  // of the radius: where the centre of a pin may be
+    std::vector<WallLine> lines;
+    if (!(radius > 0.0)) return lines;
+    bool drawing = false;
+    for (int i = 0; i <= points_of_drawn_curve; ++i) {
+      const double a = 2.0 * pi * i / points_of_drawn_curve;
+      const Vec2 out(std::cos(a), std::sin(a));
+      const bool here = nearest(round.center + inside * radius * out) == region;
+      if (here && !drawing) lines.emplace_back();
+      if (here) lines.back().points.push_back(round.center + radius * out);
+      drawing = here;
+    }
+    if (convex)
+      for (WallLine& line : lines) std::ranges::reverse(line.points);
+    return lines;
+  }
+
   void make_end(bool at_end) {
     const SlotEnd kind = at_end ? slot_.end : slot_.start;
     const std::size_t piece = at_end ? curve_.pieces() - 1 : 0;
@@ -271,6 +321,10 @@ class FlatEndProfile {
   Touch touch(int region, const Vec2& p) const {
     const double distance = region == 0 ? outwards_.dot(p - point_) : -half_width_;
     return {region, distance, outwards_, 0.0, 0.0};
+  }
+  std::vector<WallLine> outline() const {
+    const Vec2 across = half_width_ * perp(outwards_), wall = point_ + half_width_ * outwards_;
+    return {{.points = {wall - across, wall + across}}};
   }
   int nearest(const Vec2& p) const {
     const Vec2 from = p - point_;

@@ -63,12 +63,20 @@ struct CurvatureField {
   double tt = 0.0, tn = 0.0;  // [1/m^3]
 };
 
+/// A wall as it is drawn, its material on the right of the points.
+struct WallLine {
+  std::vector<Vec2> points{};  // [m] in the frame of the profile
+  bool closed = false;
+  bool endless = false;  // the straight line through the two points
+};
+
 /// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
 /// can be evaluated beyond the region's own range: steps look ahead. Where two regions meet, D and
 /// its gradient agree. Optional, for laws that take the curvature of the wall:
 ///   std::vector<CurvatureRange> curvatures() const           one for each region
 ///   CurvatureField curvature_field(const Touch&) const       where it changes along a region
 ///   bool follows(int region) const                           whether that is known; default: yes
+/// Optional, to be drawn: std::vector<WallLine> outline() const.
 template <class P>
 concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
                                std::string_view owner) {
@@ -115,6 +123,7 @@ class Slot {
   CurvatureField curvature_field(const Touch& touch) const {
     return profile_->curvature_field(touch);
   }
+  std::vector<WallLine> outline() const { return profile_->outline(); }
   Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
   int nearest(const Vec2& p) const { return profile_->nearest(p); }
   double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
@@ -137,6 +146,7 @@ class Slot {
     virtual std::vector<CurvatureRange> curvatures() const = 0;
     virtual bool follows(int region) const = 0;
     virtual CurvatureField curvature_field(const Touch& touch) const = 0;
+    virtual std::vector<WallLine> outline() const = 0;
     virtual Touch touch(int region, const Vec2& p) const = 0;
     virtual int nearest(const Vec2& p) const = 0;
     virtual double boundary(int region, const Vec2& p) const = 0;
@@ -165,6 +175,10 @@ class Slot {
         return profile.curvature_field(touch);
       else
         return {};
+    }
+    std::vector<WallLine> outline() const override {
+      if constexpr (requires { profile.outline(); }) return profile.outline();
+      return {};
     }
     Touch touch(int region, const Vec2& p) const override { return profile.touch(region, p); }
     int nearest(const Vec2& p) const override { return profile.nearest(p); }

@@ -9,6 +9,7 @@
 
 #include <yoke/contact/geometry/region_chain.hpp>
 #include <yoke/core/curves/bend_range.hpp>
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -59,6 +60,21 @@ class WallProfile {
   Touch touch(int region, const Vec2& p) const { return chain_.touch(region, p); }
   double boundary(int region, const Vec2& p) const { return chain_.boundary(region, p); }
   int successor(int region, const Vec2& p) const { return chain_.successor(region, p); }
+
+  std::vector<WallLine> outline() const {
+    WallLine line;
+    if (!std::isfinite(curve_.length())) {
+      const CurvePoint at = curve_.at(0.0);
+      line.points = {at.point - curve_.origin(), at.point + at.tangent - curve_.origin()};
+      line.endless = true;
+    } else {
+      line.points = curve_.sample(curve_.length() / points_of_drawn_curve);
+      for (Vec2& p : line.points) p -= curve_.origin();
+      line.closed = curve_.closed();
+    }
+    if (!wall_.disc_on_left) std::ranges::reverse(line.points);
+    return {line};
+  }
 
   int nearest(const Vec2& p) const {
     const CurvePlace place = curve_.nearest_local(p);

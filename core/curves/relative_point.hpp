@@ -40,6 +40,9 @@ class RelativePoint {
 
   BodyId a() const { return a_; }
   BodyId b() const { return b_; }
+  const Vec2& point() const { return point_; }  ///< [m] in axes of a
+  /// A point of the frame of the shape in axes of b [m].
+  Vec2 on_body(const Vec2& p) const { return origin_ + p.x() * x_axis_ + p.y() * perp(x_axis_); }
 
   Place place(const Motion& motion) const {
     const BodyMotion &a = motion[a_], &b = motion[b_];

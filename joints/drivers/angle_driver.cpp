@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/drivers/angle_driver.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -28,6 +29,7 @@ class AngleConstraint final : public Constraint {
   }
 
   bool rheonomic() const override { return true; }
+  void draw(Drawing& drawing) const override { drawing.turn(reference_, body_, ShapeRole::driver); }
 
  private:
   BodyId reference_, body_;

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/drivers/displacement_driver.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/projection.hpp>
 
@@ -39,6 +40,9 @@ class DisplacementConstraint final : public Constraint {
 
   Vec2 reaction_point(const Motion& motion) const override { return motion[body_].point(g_.s); }
   bool rheonomic() const override { return true; }
+  void draw(Drawing& drawing) const override {
+    drawing.arrow(body_, g_.s, line_, g_.u_l, ShapeRole::driver);
+  }
 
  private:
   BodyId line_, body_;

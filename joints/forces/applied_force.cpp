@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/forces/applied_force.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -33,6 +34,10 @@ class AppliedForceElement final : public ForceElement {
         out.dQ_dq[2] = -F.y(), out.dQ_dq[5] = F.x();
     }
     if (out.energy != nullptr) out.energy->supplied_power = F.dot(body.point_velocity(s_));
+  }
+
+  void draw(Drawing& drawing) const override {
+    drawing.arrow(body_, s_, body_, Vec2(0.0, 0.0), ShapeRole::load);
   }
 
  private:

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/forces/applied_torque.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -21,6 +22,8 @@ class AppliedTorqueElement final : public ForceElement {
     if (out.Q != nullptr) out.Q[2] = torque;
     if (out.energy != nullptr) out.energy->supplied_power = torque * in.motion[body_].omega;
   }
+
+  void draw(Drawing& drawing) const override { drawing.turn(ground, body_, ShapeRole::load); }
 
  private:
   BodyId body_;

@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/forces/torsional_spring.hpp>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 
 namespace yoke {
@@ -39,6 +40,8 @@ class TorsionForce final : public ForceElement {
       out.energy->dissipated_power = c * rate * rate;
     }
   }
+
+  void draw(Drawing& drawing) const override { drawing.turn(a_, b_, ShapeRole::spring); }
 
  private:
   static void write_slope(double slope, double* block) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <yoke/core/drawing/drawing.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/point_span.hpp>
 
@@ -58,6 +59,8 @@ class SpringForce final : public ForceElement {
       out.energy->dissipated_power = c * l_rate * l_rate;
     }
   }
+
+  void draw(Drawing& drawing) const override { drawing.spring(a_, s_a_, b_, s_b_); }
 
  private:
   void write_dF_dq(const Motion& motion, const PointSpan& span, double k, double c, double l,

@@ -30,7 +30,9 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // first room of core and integrators is their surface: its headers are seen by all rooms, its
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
-    {"core", {"core", "core/equations", "core/authoring", "core/curves/pieces", "core/curves"}},
+    {"core",
+     {"core", "core/equations", "core/authoring", "core/curves/pieces", "core/curves",
+      "core/drawing"}},
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
@@ -41,8 +43,8 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
     {"cases",
      {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts", "cases/slots",
-      "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper", "cases/program",
-      "cases/program/studies"}},
+      "cases/report", "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper",
+      "cases/program", "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 
