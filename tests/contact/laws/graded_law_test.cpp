@@ -56,15 +56,15 @@ TEST_CASE("every law of the catalog follows the radius of convex and concave wal
   // From 20 mm to 1 m, round; from nearly conformal, 10.2 mm, to 19 mm, hollow.
   for (const ElasticNote& note : elastic_catalog()) {
     if (note.name == "power") continue;
-    for (const auto& [low, high] : {std::pair{1.0, 50.0}, {-1.0 / 0.0102, -1.0 / 0.019}}) {
+    for (const auto& range : {std::pair{1.0, 50.0}, {-1.0 / 0.0102, -1.0 / 0.019}}) {
+      const double low = range.first, high = range.second;
       CAPTURE(note.name);
       CAPTURE(low);
       const bool round = low > 0.0;
       if (note.name == "pereira-2011" && round) continue;  // for hollow walls only
       double error = 1.0;
-      const std::string refused = message_of([&, low = low, high = high] {
-        error = error_of(graded(note.name, low, high), note.name, low, high);
-      });
+      const std::string refused =
+          message_of([&] { error = error_of(graded(note.name, low, high), note.name, low, high); });
       if (note.name.starts_with("pereira") &&
           !round) {  // has a kink in the difference of the radii
         CHECK(contains(refused, "cannot follow the curvature of the wall"));
