@@ -80,6 +80,7 @@ class Interpolated {
     const bool all_end = std::ranges::all_of(
         laws_, [](const ElasticLaw& law) { return std::isfinite(law.limit()); });
     for (const ElasticLaw& law : laws_) sizes_.push_back(all_end ? law.limit() : 1.0);
+    for (const double size : sizes_) log_sizes_.push_back(std::log(size));
   }
 
   GradedResponse operator()(double penetration, double curvature) const {
@@ -88,7 +89,7 @@ class Interpolated {
     calc_weights(k, w);
     Jet l;  // ln L
     for (std::size_t j = 0; j < laws_.size(); ++j) {
-      const double size = std::log(sizes_[j]);
+      const double size = log_sizes_[j];
       l.x += w[j].x * size, l.x1 += w[j].x1 * size, l.x2 += w[j].x2 * size;
     }
     const double L = std::exp(l.x), x = d / L, x_k = -x * l.x1;
@@ -143,6 +144,7 @@ class Interpolated {
   double limit_ = std::numeric_limits<double>::infinity();
   std::vector<double> points_, factors_;  // in -1 to 1, of the coordinate
   std::vector<double> sizes_;             // [m] of the laws: their limits, if all have one, or 1
+  std::vector<double> log_sizes_;
   std::vector<ElasticLaw> laws_;
 };
 
