@@ -40,10 +40,9 @@ struct ContinuedFollowing {
     if (d <= from) return law.response(d, curvature);
     GradedResponse r = law.response(from, curvature);
     const double x = d - from;
-    for (ElasticResponse* e : {&r.here, &r.slope}) {
-      e->energy += x * (e->force + 0.5 * e->stiffness * x);
-      e->force += e->stiffness * x;
-    }
+    r.here.energy += x * (r.here.force + 0.5 * r.here.stiffness * x);
+    r.here.force += r.here.stiffness * x;
+    r.energy_slope += x * r.force_slope;
     return r;
   }
   ElasticResponse operator()(double d) const { return Continued{law}(d); }
@@ -172,13 +171,13 @@ void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest
 
   if (out.energy != nullptr) {
     out.energy->stored = f.stored_energy;
-    const double released = f.force * d_rate + e.slope.energy * dot(c.gradient, v);
+    const double released = f.force * d_rate + e.energy_slope * dot(c.gradient, v);
     out.energy->dissipated_power = f.dissipated_power - (apart ? released : 0.0);
   }
   if (apart) return;
   if (out.Q != nullptr)
     for (std::size_t i = 0; i < columns; ++i)
-      out.Q[i] = -f.force * g[i] - e.slope.energy * c.gradient[i];
+      out.Q[i] = -f.force * g[i] - e.energy_slope * c.gradient[i];
   if (!want_jacobian) return;
   const ContactRow Hv = times(k.hessian, v);
   const double force_slope = here.force_slope(input);
@@ -189,8 +188,8 @@ void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest
         out.dQ_dq[entry] = -g[i] * (f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j] +
                                     force_slope * c.gradient[j]) -
                            f.force * k.hessian[entry] -
-                           c.gradient[i] * (e.slope.force * g[j] + e.energy_bend * c.gradient[j]) -
-                           e.slope.energy * c.hessian[entry];
+                           c.gradient[i] * (e.force_slope * g[j] + e.energy_bend * c.gradient[j]) -
+                           e.energy_slope * c.hessian[entry];
       if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -f.dforce_drate * g[i] * g[j];
     }
   }

@@ -16,9 +16,10 @@ namespace yoke {
 namespace {
 
 constexpr std::size_t most_laws = 32;
-constexpr double accuracy = 1e-11;  // relative, of force and energy
-constexpr double slack = 1e-3;      // share of the range beyond its ends: extremes are sampled
-constexpr int checks = 24;          // curvatures, in two distributions
+constexpr double accuracy = 1e-11;   // relative, of force and energy
+constexpr double slack = 1e-3;       // share of the range beyond its ends: extremes are sampled
+constexpr double near_limit = 0.98;  // of the smallest limit
+constexpr int checks = 24;           // curvatures, in two distributions
 
 /// A function of the curvature, and its first two derivatives.
 struct Jet {
@@ -76,22 +77,36 @@ class Interpolated {
       factors_.push_back(1.0 / product);
     }
     lowest_ = range.low - width, highest_ = range.high + width;
+    const bool all_end = std::ranges::all_of(
+        laws_, [](const ElasticLaw& law) { return std::isfinite(law.limit()); });
+    for (const ElasticLaw& law : laws_) sizes_.push_back(all_end ? law.limit() : 1.0);
+    for (const double size : sizes_) log_sizes_.push_back(std::log(size));
   }
 
   GradedResponse operator()(double penetration, double curvature) const {
-    const double k = std::clamp(curvature, lowest_, highest_);
-    std::array<Jet, most_laws> weights;
-    calc_weights(k, weights);
-    GradedResponse sum;
+    const double k = std::clamp(curvature, lowest_, highest_), d = penetration;
+    std::array<Jet, most_laws> w;
+    calc_weights(k, w);
+    Jet l;  // ln L
     for (std::size_t j = 0; j < laws_.size(); ++j) {
-      const ElasticResponse r = laws_[j].response(penetration);
-      const Jet& w = weights[j];
-      add(sum.here, w.x, r);
-      add(sum.slope, w.x1, r);
-      sum.energy_bend += w.x2 * r.energy;
+      const double size = log_sizes_[j];
+      l.x += w[j].x * size, l.x1 += w[j].x1 * size, l.x2 += w[j].x2 * size;
     }
-    if (k != curvature) sum.slope = {}, sum.energy_bend = 0.0;
-    return sum;
+    const double L = std::exp(l.x), x = d / L, x_k = -x * l.x1;
+    double F = 0.0, F1 = 0.0, s = 0.0, u = 0.0, u1 = 0.0, u2 = 0.0;
+    for (std::size_t j = 0; j < laws_.size(); ++j) {
+      const ElasticResponse r = laws_[j].response(std::min(x * sizes_[j], laws_[j].limit()));
+      const double energy = r.energy / sizes_[j];
+      F += w[j].x * r.force, F1 += w[j].x1 * r.force;
+      s += w[j].x * r.stiffness * sizes_[j];
+      u += w[j].x * energy, u1 += w[j].x1 * energy, u2 += w[j].x2 * energy;
+    }
+    const double U = L * u;
+    if (k != curvature) return {.here = {F, s / L, U}};
+    const double F_k = F1 + s * x_k, U_k = L * u1 + l.x1 * (U - F * d);
+    const double U_kk =
+        L * (l.x1 * u1 + u2 + F1 * x_k) + l.x2 * (U - F * d) + l.x1 * (U_k - F_k * d);
+    return {{F, s / L, U}, F_k, U_k, U_kk};
   }
   ElasticResponse operator()(double penetration) const {
     return (*this)(penetration, 0.5 * (range_.low + range_.high)).here;
@@ -101,12 +116,6 @@ class Interpolated {
   void lower_limit(double limit) { limit_ = std::min(limit_, limit); }
 
  private:
-  static void add(ElasticResponse& sum, double w, const ElasticResponse& r) {
-    sum.force += w * r.force;
-    sum.stiffness += w * r.stiffness;
-    sum.energy += w * r.energy;
-  }
-
   static Jet times(const Jet& a, const Jet& b) {
     return {a.x * b.x, a.x1 * b.x + a.x * b.x1, a.x2 * b.x + 2.0 * a.x1 * b.x1 + a.x * b.x2};
   }
@@ -134,6 +143,8 @@ class Interpolated {
   double middle_ = 0.0, half_ = 1.0;     // of the coordinate
   double limit_ = std::numeric_limits<double>::infinity();
   std::vector<double> points_, factors_;  // in -1 to 1, of the coordinate
+  std::vector<double> sizes_;             // [m] of the laws: their limits, if all have one, or 1
+  std::vector<double> log_sizes_;
   std::vector<ElasticLaw> laws_;
 };
 
@@ -155,8 +166,9 @@ class Judge {
     const ElasticLaw& typical = laws_[checks / 2];
     for (int decade = -4; decade <= 4; ++decade) {
       const double d = typical.penetration_at(range.reference_force * std::pow(10.0, decade));
-      if (d < 0.9 * limit_) penetrations_.push_back(d);
+      if (d < near_limit * limit_) penetrations_.push_back(d);
     }
+    if (std::isfinite(limit_)) penetrations_.push_back(near_limit * limit_);
   }
 
   double limit() const { return limit_; }

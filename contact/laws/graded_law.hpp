@@ -3,10 +3,12 @@
 //
 // Laws that take radii, along a wall whose radius changes. From a function that gives the exact law
 // for each curvature k of the wall, one law F(d, k), U(d, k) is made that follows k smoothly:
-// Chebyshev interpolation between exact laws at n curvatures k_j, for every penetration d,
-//   F = sum_j w_j(k) F_j(d),   U = sum_j w_j(k) U_j(d),
+// Chebyshev interpolation between exact laws at n curvatures k_j, at the same penetration d or, for laws
+// that end at L_j, at the same share x of it:
+//   ln L = sum_j w_j(k) ln L_j,   x = d/L   (L = L_j = 1 for laws without end)
+//   F = sum_j w_j(k) F_j(x L_j),   U = L sum_j w_j(k) U_j(x L_j)/L_j,
 // so that F = dU/dd holds exactly, whatever the error of the interpolation, and the derivatives by k
-// are those of the w_j. It is done in k, in the logarithm of the relative curvature 1/r + k, or in
+// follow from those of the w_j. It is done in k, in the logarithm of the relative curvature 1/r + k, or in
 // that of the difference of the radii |1/k| +- r, whichever needs fewest laws.
 #pragma once
 

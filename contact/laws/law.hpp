@@ -33,9 +33,10 @@ struct ElasticResponse {
 
 /// Of a law that follows the curvature k [1/m] of the wall, > 0 convex as the disc sees it.
 struct GradedResponse {
-  ElasticResponse here{};    // force = denergy/dpenetration, stiffness = dforce/dpenetration
-  ElasticResponse slope{};   // the derivative of each by k
-  double energy_bend = 0.0;  // [J m^2] d2energy/dk2
+  ElasticResponse here{};     // force = denergy/dpenetration, stiffness = dforce/dpenetration
+  double force_slope = 0.0;   // [N m] dforce/dk
+  double energy_slope = 0.0;  // [J m] denergy/dk
+  double energy_bend = 0.0;   // [J m^2] d2energy/dk2
 };
 
 template <class F>
@@ -74,9 +75,9 @@ class ElasticLaw {
   /// The same where the curvature of the wall is `curvature` [1/m]; only if follows_curvature().
   GradedResponse response(double penetration, double curvature) const {
     const double size = std::abs(penetration);
-    if (size > limit_) return {response(penetration), response(penetration), not_a_number};
+    if (size > limit_) return {response(penetration), not_a_number, not_a_number, not_a_number};
     GradedResponse r = function_->respond(size, curvature);
-    if (penetration < 0.0) r.here.force = -r.here.force, r.slope.force = -r.slope.force;
+    if (penetration < 0.0) r.here.force = -r.here.force, r.force_slope = -r.force_slope;
     return r;
   }
 
@@ -183,8 +184,8 @@ concept DissipativeFunction = requires(const F& law, const ContactInput& input,
 ///       the distance from it: no step then passes over the corner, and the accuracy of the method
 ///       is kept. Without it the formula is smooth while in contact.
 ///   double force_change(const ContactInput&, const ElasticLaw&, const ElasticLaw& change) const
-///       [N m] derivative of the force while the elastic law changes by `change` (N m, N, J m in
-///       place of N, N/m, J): for laws that are to follow the curvature of a wall though their
+///       [N m] derivative of the force while the elastic law changes by `change`, whose force and
+///       energy are N m and J m, and whose stiffness is not known (0): for laws that are to follow the curvature of a wall though their
 ///       force is not a sum of multiples of the elastic response
 ///   std::string name() const, void check() const     as for ElasticLaw
 class DissipativeLaw {

@@ -59,7 +59,8 @@ class LocalLaw {
   struct Change final : ElasticLaw::Function {
     explicit Change(const Bound& of) : bound(of) {}
     ElasticResponse respond(double penetration) const override {
-      return bound.law.response(penetration, bound.curvature).slope;
+      const GradedResponse r = bound.law.response(penetration, bound.curvature);
+      return {.force = r.force_slope, .energy = r.energy_slope};
     }
     double limit() const override { return bound.law.limit(); }
     std::string name() const override { return bound.law.name(); }

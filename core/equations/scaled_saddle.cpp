@@ -81,15 +81,24 @@ std::vector<double> metric_of_masses(const System& system) {
 }
 
 std::vector<double> metric_of_lengths(System& system) {
-  // A lever below this share of the natural length is zero but for rounding, or happens to be small in
-  // the start pose: a pin that enters a slot along it.
-  constexpr double no_lever = 1e-6;
-  const double length = system.natural_length(), least = std::pow(no_lever * length, 2);
+  // In parts of the natural length. A short lever may only happen to be short in the start pose, as
+  // that of a pin that enters a slot along it: how long it is shows in other poses.
+  constexpr double short_lever = 1e-2, no_lever = 1e-6;
+  const double length = system.natural_length();
+  std::vector<double> arms = system.squared_arms();
+  const auto shorter = [&](double arm, double share) {
+    return !(arm > std::pow(share * length, 2) && std::isfinite(arm));
+  };
+  if (std::ranges::any_of(arms, [&](double arm) { return shorter(arm, short_lever); }))
+    for (const double turned : {1.1, 2.3}) {
+      const std::vector<double> other = system.squared_arms(turned);
+      for (std::size_t body = 0; body < arms.size(); ++body)
+        if (shorter(arms[body], short_lever) && std::isfinite(other[body]))
+          arms[body] = std::isfinite(arms[body]) ? std::max(arms[body], other[body]) : other[body];
+    }
   std::vector<double> weights(at(system.dofs()), 1.0);
-  const std::vector<double> arms = system.squared_arms();
   for (std::size_t body = 0; body < arms.size(); ++body)
-    weights[3 * body + 2] =
-        arms[body] > least && std::isfinite(arms[body]) ? arms[body] : length * length;
+    weights[3 * body + 2] = shorter(arms[body], no_lever) ? length * length : arms[body];
   return weights;
 }
 

@@ -108,8 +108,9 @@ double System::length_of_layout() {
   return arm > 0.0 ? arm : 1.0;  // alone it has no size
 }
 
-std::vector<double> System::squared_arms() {
-  const State start = model_.start_state();
+std::vector<double> System::squared_arms(double turned) {
+  State start = model_.start_state();
+  for (int i = 2; i < dofs_; i += 3) start.q[i] += turned * (i / 3 + 1);
   const std::vector<double> at_rest(at(dofs_));
   std::vector<double> phi(at(rows_));
   set_motion(start.t, start.q.data(), at_rest.data());

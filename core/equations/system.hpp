@@ -137,8 +137,9 @@ class System {
   /// Length scale from the layout of the bodies (invariant to shifts and turns of the frame).
   double natural_length() const { return natural_length_; }
   /// [bodies, m^2] How far from a body's centre its joints are at the model's start pose, squared,
-  /// on average; not positive or not finite where no joint tells. Evaluates the constraints there.
-  std::vector<double> squared_arms();
+  /// on average; not positive or not finite where no joint tells. Or as seen in a pose where the bodies
+  /// are turned, one by `turned` [rad], the next by twice that, and so on. Evaluates the constraints there.
+  std::vector<double> squared_arms(double turned = 0.0);
 
  private:
   double length_of_layout();

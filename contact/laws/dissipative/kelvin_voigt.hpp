@@ -38,8 +38,7 @@ struct KelvinVoigt {
     const ElasticResponse r = elastic.response(in.penetration),
                           dr = change.response(in.penetration);
     const double scale = damping_ratio(e) * std::sqrt(in.memory.effective_mass) * in.rate;
-    if (!(std::abs(r.force) > 1e-100 && std::abs(in.penetration) > 1e-100))
-      return dr.force + scale * dr.stiffness / std::sqrt(r.stiffness);
+    if (!(std::abs(r.force) > 1e-100 && std::abs(in.penetration) > 1e-100)) return dr.force;
     return dr.force + scale * dr.force / std::sqrt(r.force * in.penetration);
   }
   Release release() const { return release_of(tensile); }

@@ -59,8 +59,7 @@ inline ContactOutput damped_by_stored_energy(const ContactInput& in, const Elast
 inline double damped_by_stored_energy_change(const ContactInput& in, const ElasticResponse& e,
                                              const ElasticResponse& change, double xi) {
   const double scale = 2.0 * xi * std::sqrt(in.memory.effective_mass);
-  if (!(e.energy > 1e-200))
-    return change.force + 0.5 * scale * change.stiffness / std::sqrt(e.stiffness) * in.rate;
+  if (!(e.energy > 1e-200)) return change.force;  // at first touch, where it is as good as zero
   const double root = std::sqrt(2.0 * e.energy), sign = in.penetration < 0.0 ? -1.0 : 1.0;
   const double c_change =
       sign * scale * (change.force - e.force * change.energy / (2.0 * e.energy)) / root;

@@ -28,7 +28,7 @@ PolynomialPiece::PolynomialPiece(std::vector<Cell> cells, int degree, bool close
     lengths_.push_back(lengths_.back() + cell_length(i, -1.0, 1.0));
 }
 
-PolynomialPiece::Place PolynomialPiece::place_of(double u) const {
+inline PolynomialPiece::Place PolynomialPiece::place_of(double u) const {
   const double last = end();
   if (closed_) u -= last * std::floor(u / last);
   const double inside = closed_ ? u : std::clamp(u, -look_ahead, last + look_ahead);
