@@ -30,13 +30,13 @@ using Square6 = std::array<double, 36>;
 enum class Grounded { neither, shape, disc };
 
 /// A law, and the phase of the contact it is looked at in.
-struct Mode {
+struct ContactMode {
   const char* name;
   WallLaw law;
   ContactPhase phase = ContactPhase::compressing;
 };
 
-std::vector<Mode> modes_for(const AnyContact& contact) {
+std::vector<ContactMode> modes_for(const AnyContact& contact) {
   const ContactLaw dent{per_mm(49140, 1.50), PermanentSet{0.71}};
   return {{"damped", ContactLaw{per_mm(49140, 1.10), HuntCrossley{0.32}}},
           {"loading", dent},
@@ -48,7 +48,7 @@ std::vector<Mode> modes_for(const AnyContact& contact) {
 /// velocities, the disc within the wall.
 class Bench {
  public:
-  Bench(const AnyContact& contact, const Vec2& near, const Mode& mode, Grounded grounded,
+  Bench(const AnyContact& contact, const Vec2& near, const ContactMode& mode, Grounded grounded,
         unsigned seed)
       : contact_(contact), near_(near), mode_(mode), grounded_(grounded), random_(seed) {
     Model model;
@@ -111,7 +111,7 @@ class Bench {
   static inline const Pose pose_a{{0.11, 0.13}, 0.37}, pose_b{{-0.17, 0.05}, -0.61};
   const AnyContact& contact_;
   Vec2 near_, start_{0.0, 0.0}, center_{0.0, 0.0};
-  Mode mode_;
+  ContactMode mode_;
   Grounded grounded_;
   std::mt19937 random_;
 };
@@ -170,7 +170,7 @@ void for_every_place(F f, Grounded grounded = Grounded::neither) {
   unsigned seed = 11;
   for (const AnyContact& contact : every_contact())
     for (const Vec2& near : contact.near)
-      for (const Mode& mode : modes_for(contact)) {
+      for (const ContactMode& mode : modes_for(contact)) {
         Bench bench(contact, near, mode, grounded, ++seed);
         INFO(contact.name << " near " << near.x() << ", " << near.y() << ", " << mode.name);
         f(bench, contact);
@@ -311,7 +311,7 @@ TEST_CASE("every contact: a mirror shows the mirrored forces and derivatives") {
         Model model;
         const BodyId a = model.add({.name = "a", .mass = 0.09, .inertia = 3e-5});
         const BodyId b = model.add({.name = "b", .mass = 2.3, .inertia = 3e-3});
-        const Mode mode = modes_for(seen[c])[m];
+        const ContactMode mode = modes_for(seen[c])[m];
         const Vec2 at = seen[c].touching(seen[c].near[n], 2.7e-5);
         Scene scene, image;
         scene.element = seen[c].build(model, a, b, at, mode.law);
