@@ -25,25 +25,32 @@ struct Level {
 };
 constexpr std::array<Level, 3> levels = {{{"1 nm", 1e-9}, {"1 um", 1e-6}, {"0.1 mm", 1e-4}}};
 
-std::vector<std::size_t> places_of(const Table& samples) {
-  std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < samples.names().size(); ++i) {
-    const std::string& name = samples.names()[i];
-    const bool contact = name.find("contact_point") != std::string::npos;
-    if (!contact && (name.ends_with(".x_m") || name.ends_with(".y_m"))) columns.push_back(i);
+/// A coordinate of a body, and the distance [m] that a unit of it is worth.
+struct Coordinate {
+  std::size_t column = 0;
+  double worth = 1.0;
+};
+
+std::vector<Coordinate> coordinates_of(const LawRun& run) {
+  std::vector<Coordinate> coordinates;
+  for (std::size_t i = 0; i < run.samples.names().size(); ++i) {
+    const std::string& name = run.samples.names()[i];
+    if (name.ends_with(".x_m") || name.ends_with(".y_m")) coordinates.push_back({i, 1.0});
+    if (name.ends_with(".angle_rad")) coordinates.push_back({i, run.summary.length_scale});
   }
-  return columns;
+  return coordinates;
 }
 
-/// "0.0123 s": where a place first differs by more; "to the end" if none does.
-std::string until(const Table& run, const Table& reference, double distance) {
-  const std::vector<std::size_t> places = places_of(reference);
-  const std::size_t time = reference.index("t_s"), rows = std::min(run.rows(), reference.rows());
+/// "0.0123 s": where a body is first farther from where it is in the reference; or "to the end".
+std::string until(const LawRun& run, const LawRun& reference, double distance) {
+  const Table &a = run.samples, &b = reference.samples;
+  const std::vector<Coordinate> coordinates = coordinates_of(reference);
+  const std::size_t time = b.index("t_s"), rows = std::min(a.rows(), b.rows());
   for (std::size_t i = 0; i < rows; ++i)
-    for (const std::size_t j : places)
-      if (!(std::abs(run.value(i, j) - reference.value(i, j)) <= distance))
-        return fmt::format("{:.4g} s", run.value(i, time));
-  return rows == reference.rows() ? "to the end" : "it stopped";
+    for (const auto& [column, worth] : coordinates)
+      if (!(std::abs(a.value(i, column) - b.value(i, column)) * worth <= distance))
+        return fmt::format("{:.4g} s", a.value(i, time));
+  return rows == b.rows() ? "to the end" : "it stopped";
 }
 
 }  // namespace
@@ -66,7 +73,8 @@ RunStatus study_agreement(const Case& c, const RunRequest& request) {
   if (!reference.summary.ok()) return RunStatus::failed;
   Document doc;
   doc.print(
-      "`{}`{}{}, {:.4g} s: until when the places of all bodies are within a distance of a run by {} "
+      "`{}`{}{}, {:.4g} s: until when all bodies are within a distance (angles times "
+      "the length scale) of a run by {} "
       "at rtol {:g} ({} contacts).\n\n",
       c.name, law.empty() ? "" : ", law ", law, reference.summary.t_end, compared.front(), tightest,
       reference.onsets());
@@ -74,8 +82,7 @@ RunStatus study_agreement(const Case& c, const RunRequest& request) {
             levels[2].name, "contacts"});
   for (std::size_t i = 1; i < runs.size(); ++i) {
     std::vector<std::string> row{names[i]};
-    for (const Level& level : levels)
-      row.push_back(until(runs[i].samples, reference.samples, level.distance));
+    for (const Level& level : levels) row.push_back(until(runs[i], reference, level.distance));
     row.push_back(fmt::format("{}", runs[i].onsets()));
     doc.row(row);
   }
