@@ -185,8 +185,8 @@ void write_motion(const Table& samples, const DrawnRun& drawn, const Path& path)
   write_text(path, text);
 }
 
-/// x and y of the bodies whose path is drawn. Returns the height of all paths over their width.
-double write_paths(const Table& samples, const Texts& paths, const Path& path) {
+/// x and y of the bodies whose path is drawn. Returns what they fill, with a margin.
+PathBox write_paths(const Table& samples, const Texts& paths, const Path& path) {
   double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
   std::string text = "t_s";
   std::vector<std::size_t> columns{samples.index("t_s")};
@@ -205,7 +205,12 @@ double write_paths(const Table& samples, const Texts& paths, const Path& path) {
       fmt::format_to(std::back_inserter(text), "{}{:.7g}", j == 0 ? '\n' : ',',
                      samples.value(i, columns[j]));
   write_text(path, text);
-  return (high[1] - low[1]) / std::max(high[0] - low[0], 1e-300);
+  constexpr double margin = 1.1, flattest = 0.25, highest = 1.2;
+  double width = margin * (high[0] - low[0]), height = margin * (high[1] - low[1]);
+  width = std::max({width, height / highest, 1e-12});
+  height = std::max(height, flattest * width);
+  const double x = 0.5 * (low[0] + high[0]), y = 0.5 * (low[1] + high[1]);
+  return {x - 0.5 * width, x + 0.5 * width, y - 0.5 * height, y + 0.5 * height};
 }
 
 /// Those of the largest forces, as many as are told apart; without those that never touched, if any
@@ -410,14 +415,23 @@ Figure path_figure(const DrawnRun& run, const std::string& title) {
     lines.push_back(fmt::format("{} every ::0::0 notitle with points lc rgb '{}' pt 6 ps 1.5",
                                 columns, colours[i % colours.size()]));
   }
+  const PathBox& box = run.path_box;
+  constexpr double left = 0.09, right = 0.82;  // of the width, the legend beside
+  constexpr int width = 1000, above = 50, below = 60;
+  const double inner = (right - left) * width * (box.y_high - box.y_low) / (box.x_high - box.x_low);
+  const int height = above + below + static_cast<int>(inner);
   return {.name = "path",
           .title = title,
-          .width = 1000,
-          .height = 150 + static_cast<int>(750.0 * std::clamp(run.path_aspect, 0.3, 1.2)),
+          .width = width,
+          .height = height,
           .body = fmt::format("  set title {} noenhanced; set key noenhanced outside right top\n"
-                              "  set size ratio -1; set offsets graph 0.05, 0.05, 0.05, 0.05\n"
+                              "  set size ratio -1\n"
+                              "  set margins screen {}, screen {}, screen {:.4f}, screen {:.4f}\n"
+                              "  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
                               "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
-                              gnuplot_text(title), plot(lines))};
+                              gnuplot_text(title), left, right, below / static_cast<double>(height),
+                              1.0 - above / static_cast<double>(height), box.x_low, box.x_high,
+                              box.y_low, box.y_high, plot(lines))};
 }
 
 Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
@@ -497,7 +511,7 @@ DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts&
   drawn.energies = energies_of(run.samples);
   write_motion(run.samples, drawn, folder / data_file("motion", drawn));
   if (!paths.empty())
-    drawn.path_aspect = write_paths(run.samples, paths, folder / data_file("path", drawn));
+    drawn.path_box = write_paths(run.samples, paths, folder / data_file("path", drawn));
   write_portraits(run, drawn, folder);
   if (run.contacts.empty()) return drawn;
   write_contacts(run, drawn.contacts, folder / data_file("contact", drawn));

@@ -14,6 +14,11 @@
 
 namespace yoke::cases {
 
+/// [m] A frame for paths, neither narrow nor flat.
+struct PathBox {
+  double x_low = -0.5, x_high = 0.5, y_low = -0.5, y_high = 0.5;
+};
+
 /// What the figures of one run show; its data is in the folder of the plots.
 struct DrawnRun {
   std::string law, folder;
@@ -22,7 +27,7 @@ struct DrawnRun {
   std::vector<std::string> still{};  // quantities of bodies that stay as they are: "y_m"
   std::vector<std::string> paths{};  // bodies whose path is drawn
   double force_top = 0.0;            // [N] end of the axis of reactions; 0: as high as they are
-  double path_aspect = 1.0;          // height over width of all paths
+  PathBox path_box{};                // around all paths
   std::vector<std::string> forces{}, moments{};  // joints that carry a force, a moment
   std::vector<std::string> energies{};           // terms of the ledger: "kinetic"
   std::vector<Portrait> portraits{};             // without their points

@@ -37,7 +37,7 @@ struct StudyVerb {
   const char* description;
 };
 inline constexpr StudyVerb study_verbs[] = {
-    {"study", "Test published statements about a case; prints Markdown"},
+    {"study", "Test what is said about a case, or until when formulations agree; prints Markdown"},
     {"validate", "Measure the engine against reference solutions; prints Markdown"},
     {"reproduce", "Reproduce the paper's tables and figures of the contact laws"},
 };

@@ -3,7 +3,6 @@
 #include <yoke/cases/program/studies/geneva_study.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,31 +19,14 @@ struct Setting {
   std::string clearance, speed;
 };
 
-/// [N] The largest force of the slots in the first spell of contact that begins at or after `from`.
-double peak_after(const LawRun& run, double from) {
-  const Eigen::VectorXd t = run.samples["t_s"];
-  for (const ContactSpell& spell : contact_spells(run, from, run.summary.t_end, "slot 1"))
-    if (t[static_cast<Eigen::Index>(spell.first)] >= from) {
-      const Eigen::VectorXd force = run.samples["slot 1.normal_force_N"];
-      return force
-          .segment(static_cast<Eigen::Index>(spell.first),
-                   static_cast<Eigen::Index>(spell.last - spell.first))
-          .maxCoeff();
-    }
-  return 0.0;
-}
-
-/// Speed, formula and peak force of an impact: the check named `what`, and the first onset of slot 1 in
-/// `region`.
+/// Speed and formula of an impact: the check named `what`, and the first onset of slot 1 in `region`.
 std::vector<std::string> impact(const LawRun& run, std::string_view what, std::string_view region) {
   const auto check = std::ranges::find(run.checks, what, &Check::what);
   const auto onset = std::ranges::find_if(run.events, [&](const EventRecord& e) {
     return e.kind == "onset" && e.element == "slot 1" && e.region == region;
   });
-  if (onset == run.events.end()) return {"-", "-", "-"};
-  return {fmt::format("{:.4f}", onset->speed),
-          check == run.checks.end() ? "-" : fmt::format("{:.4f}", check->expected),
-          fmt::format("{:.0f}", peak_after(run, onset->t))};
+  return {onset == run.events.end() ? "-" : fmt::format("{:.5f}", onset->speed),
+          check == run.checks.end() ? "-" : fmt::format("{:.5f}", check->expected)};
 }
 
 }  // namespace
@@ -67,8 +49,7 @@ RunStatus study_geneva(const RunRequest& request) {
   });
   if (interrupted()) return RunStatus::interrupted;
   Document doc;
-  doc.head({"clearance", "speed [rpm]", "entry [m/s]", "formula", "force [N]", "other wall [m/s]",
-            "formula", "force [N]"});
+  doc.head({"clearance", "speed [rpm]", "entry [m/s]", "formula", "other wall [m/s]", "formula"});
   bool ok = true;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     ok = ok && runs[i].summary.ok();

@@ -47,6 +47,21 @@ TEST_SUITE("cpva") {
     CHECK(ripple_of({"number=4", "torque=200"}) < 0.05);
   }
 
+  TEST_CASE("the ripple is that of the equations in theta and s alone") {
+    const auto checked = [](const std::vector<std::string>& settings, int samples) {
+      const SlotCaseRun run = run_case("cpva", settings, {.samples = samples});
+      CAPTURE(cases::text_of(run.checks.front()));
+      CHECK(run.checks.front().within());
+      return run.checks.front();
+    };
+    for (const char* path : {"path=tautochrone", "path=cycloid", "path=circle"})
+      CHECK(checked({path}, 2001).tolerance < 2e-5);
+    // On the parallel of the path that rollers run on; far from it without their clearance.
+    const cases::Check rollers = checked({"clearance=0.05mm", "turns=4"}, 2001);
+    CHECK(rollers.tolerance < 5e-3);
+    CHECK(std::abs(checked({"turns=4"}, 2001).value - rollers.value) > 2.0 * rollers.tolerance);
+  }
+
   TEST_CASE("rollers with clearance stay on the outer walls, their path apart") {
     const SlotCaseRun run = run_case("cpva", {"clearance=0.02mm", "turns=2"},
                                      {.relative_tolerance = 1e-9, .samples = 401});

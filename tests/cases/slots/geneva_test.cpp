@@ -55,6 +55,17 @@ TEST_SUITE("geneva") {
       if (name.ends_with(".penetration_m")) CHECK(run.result[name].maxCoeff() < 1e-5);
   }
 
+  TEST_CASE("the impact on the other wall is that of a wheel coasting between rigid walls") {
+    const SlotCaseRun run =
+        run_case("geneva", {"turns=1"}, {.relative_tolerance = 1e-7, .samples = 401});
+    const auto other = std::ranges::find(run.checks, "speed of the first impact on the other wall",
+                                         &cases::Check::what);
+    REQUIRE(other != run.checks.end());
+    CHECK(other->expected == doctest::Approx(0.0420794).epsilon(1e-4));  // by another program
+    CHECK(other->within());
+    CHECK(std::abs(other->value / other->expected - 1.0) < 2e-3);
+  }
+
   TEST_CASE("the first impact by clearance and speed: Omega sqrt(2 r c - c^2)") {
     for (const auto& [clearance, speed] :
          {std::pair{0.01, 60.0}, {0.05, 60.0}, {0.2, 60.0}, {0.05, 300.0}}) {

@@ -60,7 +60,7 @@ TEST_CASE(
   for (const double damping : {0.0, 0.4}) {
     CAPTURE(damping);
     const Result run = simulate(pin_in_ellipse(by_radius(damping)),
-                                {.until = 0.18, .relative_tolerance = 1e-12, .samples = 361});
+                                {.until = 0.18, .relative_tolerance = 1e-12, .samples = 1801});
     INFO(run.summary.reason);
     REQUIRE(run.summary.ok());
     CHECK(run.events.size() > 20);
