@@ -61,7 +61,8 @@ struct Job {
     std::vector<Figure> figures = standard_figures(c.name, drawn);
     if (more)
       for (Figure& figure : more(c, request, runs, plots())) figures.push_back(std::move(figure));
-    fmt::print("{}\n", draw_figures(figures, plots(), request.jobs));
+    fmt::print("{}\n", draw_figures(figures, plots(), request.jobs,
+                                    request.paper ? Figures::paper : Figures::screen));
   }
 };
 

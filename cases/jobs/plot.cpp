@@ -29,7 +29,7 @@ set key outside right top reverse Left noautotitle samplen 2
 )";
 
 // The PDF is as wide as a page of a journal with two columns, its text as large as a caption's.
-constexpr const char* still = R"(do for [format in "png svg pdf"] {{
+constexpr const char* still = R"(do for [format in "{formats}"] {{
   if (format eq "png") {{
     set terminal pngcairo size {width},{height} font "DejaVu Sans,11" background rgb "white"
   }} else {{ if (format eq "svg") {{
@@ -50,10 +50,11 @@ set output "{name}.gif"
 unset output
 )";
 
-std::string script(const Figure& f) {
+std::string script(const Figure& f, Figures kind) {
   return fmt::format(script_head, fmt::arg("title", f.title), fmt::arg("name", f.name)) +
          fmt::format(fmt::runtime(f.animated ? moving : still), fmt::arg("name", f.name),
                      fmt::arg("width", f.width), fmt::arg("height", f.height),
+                     fmt::arg("formats", kind == Figures::paper ? "png svg pdf" : "png svg"),
                      fmt::arg("pdf_height", 17.4 * f.height / f.width), fmt::arg("body", f.body));
 }
 
@@ -95,14 +96,14 @@ void make_film(const std::string& name, const std::filesystem::path& folder) {
 }  // namespace
 
 std::string draw_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                         int jobs) {
+                         int jobs, Figures kind) {
   make_output_folder(folder);
-  for (const Figure& f : figures) write_text(folder / (f.name + ".gp"), script(f));
+  for (const Figure& f : figures) write_text(folder / (f.name + ".gp"), script(f, kind));
   std::vector<int> codes(figures.size());
   run_parallel(figures.size(), jobs, [&](std::size_t i) {
     const Figure& f = figures[i];
     codes[i] = run_tool({"gnuplot", f.name + ".gp"}, f.name, folder);
-    if (f.animated && codes[i] == 0) make_film(f.name, folder);
+    if (f.animated && codes[i] == 0 && kind == Figures::paper) make_film(f.name, folder);
   });
 
   std::vector<std::string> failed;
@@ -118,7 +119,8 @@ std::string draw_figures(const std::vector<Figure>& figures, const std::filesyst
   if (!failed.empty())
     return fmt::format("plots: {}/, but gnuplot failed on {}; see the .log beside the script",
                        folder.string(), fmt::join(failed, ", "));
-  return fmt::format("plots: {}/*.png, *.svg, *.pdf, *.gif", folder.string());
+  return fmt::format("plots: {}/*.png, *.svg, {}*.gif", folder.string(),
+                     kind == Figures::paper ? "*.pdf, " : "");
 }
 
 }  // namespace yoke::cases

@@ -22,6 +22,7 @@ struct RunRequest {
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;
+  bool paper = false;                       // figures for print too
   bool report = false;                      // report.html
   std::string command{};                    // that asks for this, as a user would type it
   int jobs = 1;                             // runs at a time

@@ -121,6 +121,8 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->type_name("N")
       ->capture_default_str();
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
+  verb.add_flag("--paper", o.paper,
+                "Figures for print too: PDF, and animations as MP4 where ffmpeg is installed");
   verb.add_flag("--no-report", o.no_report, "Do not write report.html");
   verb.add_flag("--verify", o.verify,
                 "Run again with another formulation at a tighter tolerance and print how many "
@@ -154,6 +156,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("formulation", o.formulation);
   visit("no_plots", o.no_plots);
   visit("no_report", o.no_report);
+  visit("paper", o.paper);
   visit("verify", o.verify);
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
@@ -163,7 +166,7 @@ void visit_options(Options& o, Visit&& visit) {
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
 bool added_later(std::string_view option) {
-  return option == "spectral_radius" || option == "no_report";
+  return option == "spectral_radius" || option == "no_report" || option == "paper";
 }
 
 }  // namespace
@@ -242,6 +245,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .relative_tolerance = o.relative_tolerance,
           .formulation = checked_formulation(o.formulation),
           .plots = !o.no_plots,
+          .paper = o.paper,
           .report = !o.no_report,
           .command = command_of(o),
           .jobs = o.jobs > 0 ? o.jobs : processors,

@@ -25,6 +25,7 @@ struct RequestOptions {
   int jobs = 0;
   bool no_plots = false;
   bool no_report = false;
+  bool paper = false;
   bool verify = false;
   std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
   long checkpoint_events = 0;   // 0: none by events
@@ -34,7 +35,7 @@ struct RequestOptions {
 
 /// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
 void add_case_options(CLI::App& verb, RequestOptions& options);
-/// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --no-report, --verify,
+/// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --paper, --no-report, --verify,
 /// --checkpoint, --checkpoint-events, --spectral-radius.
 void add_output_options(CLI::App& verb, RequestOptions& options);
 

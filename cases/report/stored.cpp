@@ -26,6 +26,7 @@ std::string text_of_file(const fs::path& path) {
 StoredReplay load(const fs::path& folder) {
   const fs::path path = folder / replay_file;
   StoredReplay replay{.json = text_of_file(path)};
+  while (replay.json.ends_with('\n')) replay.json.pop_back();  // a file of text ends with one
   try {
     const nlohmann::json json = nlohmann::json::parse(replay.json);
     json.at("case").get_to(replay.case_name);

@@ -205,9 +205,10 @@ void Drawing::make_outlines(const Model& model) {
       continue;
     }
     drawn.outline = hull_of(anchors_[i]);
-    if (drawn.outline.size() == 1 && solid_[i]) drawn.outline.clear();
+    // Of a ball on a rod, the rod; what a wall goes around hides it.
     if (drawn.outline.size() == 1)
-      drawn.outline.push_back(far_end(drawn.outline[0], drawn.gyration));
+      drawn.outline.push_back(solid_[i] ? Vec2(0.0, 0.0)
+                                        : far_end(drawn.outline[0], drawn.gyration));
   }
 }
 

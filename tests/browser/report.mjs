@@ -139,6 +139,30 @@ try {
   check("no error on the console", chrome.messages.length === 0, chrome.messages.join("; "));
   check("nothing was asked of a network", chrome.requests.every((u) => u.startsWith("file:") || u.startsWith("about:") || u.startsWith("data:")), chrome.requests.filter((u) => !u.startsWith("file:")).join(" "));
 
+  // ---- runs beside one another, and stretches that the case names ----
+  const comparison = join(folder, "both", "comparison.html");
+  execFileSync(yoke, ["compare", main, "-o", join(folder, "both")], {stdio: "ignore"});
+  await chrome.open(comparison);
+  check("a comparison plots all its runs", await app("app.plotted().length") === 2);
+  check("and says what differs", /law.*table11-johnson.*johnson.*peak force/s.test(await chrome.evaluate("document.getElementById('comparison').textContent")));
+  await placeOf("#plots");
+  await wait(300);
+  await clickOn("#side");
+  check("side by side: a panel a run", await app("app.timePlots[0].plots.length") === 2);
+  await chrome.evaluate("(() => { const v = document.getElementById('view'); v.value = '0'; v.dispatchEvent(new Event('change')); })()");
+  await frame();
+  const heights = await app("app.timePlots[0].plots.map((p) => p.scales.y.max)");
+  check("on one scale", heights[0] === heights[1] && heights[0] > 1, heights);
+  check("of the stretch that is asked for", Math.abs(await app("app.timePlots[0].plots[1].scales.x.min") - 1 / 12) < 1e-6);
+  await picture("comparison");
+
+  // ---- a mechanism alone ----
+  execFileSync(yoke, ["view", "newtons_cradle", "-o", join(folder, "drawn")], {stdio: "ignore"});
+  chrome.messages.length = 0;
+  await chrome.open(join(folder, "drawn", "view.html"));
+  check("a view shows the mechanism without a run", await chrome.evaluate("document.getElementById('plots-section').hidden") && chrome.messages.length === 0, chrome.messages.join("; "));
+  await picture("view");
+
   // ---- how it looks: light, dark, narrow ----
   await chrome.open(page);
   await app("app.seek(app.run.impacts[3].onset + 1e-4)");

@@ -97,6 +97,7 @@ class App {
     $("bar").hidden = !run.moves;
     $("bar").style.display = run.moves ? "" : "none";
     $("plots-section").hidden = !run.moves;
+    $("linked").className = run.moves ? "" : "alone";
     this.table.load(run);
     fillSummary(run);
     this.showLens();

@@ -121,6 +121,54 @@ TEST_SUITE("program") {
     }
   }
 
+  TEST_CASE("a run writes its report unless told not to; pages are made again of what it stored") {
+    const TemporaryFolder scratch;
+    const auto runs_in = [&](const fs::path& page) {
+      const std::string text = content(page), mark = "class=\"run\">";
+      std::size_t count = 0;
+      for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; ++at) ++count;
+      return count;
+    };
+    const std::string run = "run scotch_yoke --samples 101 --no-plots --set revolutions=0.25 ";
+    CHECK(contains(yoke(scratch, run + "-o out --law johnson --law table11-goldsmith").out,
+                   "report: out/report.html"));
+    const fs::path page = scratch / "out/report.html";
+    CHECK(runs_in(page) == 2);
+    const auto replay = nlohmann::json::parse(content(scratch / "out/johnson/replay.json"));
+    CHECK(replay["command"] ==
+          "yoke run scotch_yoke --set revolutions=0.25 --law johnson --law table11-goldsmith "
+          "--samples 101");
+    CHECK(replay["impacts"].size() > 3);
+    CHECK(replay["views"].size() == 8);
+
+    const std::string before = content(page);
+    fs::remove(page);
+    CHECK(yoke(scratch, "report out").code == 0);
+    CHECK((content(page) == before));  // not printed if it is not
+
+    CHECK(yoke(scratch, run + "-o other --law johnson --set crank_length=40mm").code == 0);
+    const Outcome both = yoke(scratch, "compare out other -o both");
+    CHECK(both.code == 0);
+    CHECK(contains(both.out, "  table11-goldsmith\n"));
+    CHECK(contains(both.out, "out: johnson\n"));
+    CHECK(contains(both.out, "other: johnson\n"));
+    CHECK(runs_in(scratch / "both/comparison.html") == 3);
+    const Outcome alone = yoke(scratch, "compare other");
+    CHECK(alone.code != 0);
+    CHECK(contains(alone.out, "one run alone"));
+
+    CHECK(yoke(scratch, run + "-o none --law johnson --no-report").code == 0);
+    CHECK(!fs::exists(scratch / "none/report.html"));
+    CHECK(!fs::exists(scratch / "none/johnson/replay.json"));
+    const Outcome nothing = yoke(scratch, "report none");
+    CHECK(nothing.code != 0);
+    CHECK(contains(nothing.out, "'none'"));
+
+    CHECK(yoke(scratch, "view geneva -o drawn").code == 0);
+    CHECK(runs_in(scratch / "drawn/view.html") == 1);
+    CHECK(!fs::exists(scratch / "drawn/motion.csv"));
+  }
+
   TEST_CASE("a run ends with its checks, law by law where there are laws") {
     const TemporaryFolder scratch;
     const Outcome pendulum =
