@@ -31,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 const std::string law = "table11-johnson";
 
 pid_t start(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), std::string(YOKE_BINARY_DIR) + "/yoke");
+  arguments.insert(arguments.begin(), YOKE_BINARY_DIR "/yoke");
   std::vector<char*> argv;
   for (std::string& a : arguments) argv.push_back(a.data());
   argv.push_back(nullptr);

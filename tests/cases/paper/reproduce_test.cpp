@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -27,8 +26,6 @@ using namespace yoke;
 using doctest::Approx;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Steel, a pin of 20 mm in a bore of 24 mm, everything times `scale`; length 10 mm times `scale`.
 ElasticLaw scaled(const char* name, Reading reading, double scale = 1.0) {
@@ -202,7 +199,7 @@ TEST_CASE("errata: the series of Lee and Wang, Eq. (34), has no real duration wi
 namespace {
 
 /// The columns of a CSV file below its head.
-struct Table {
+struct CsvTable {
   std::string head;
   std::vector<std::vector<double>> rows;
   std::vector<double> column(std::size_t c) const {
@@ -212,10 +209,10 @@ struct Table {
   }
 };
 
-Table read_table(const std::filesystem::path& path) {
+CsvTable read_table(const std::filesystem::path& path) {
   std::ifstream file(path);
   REQUIRE_MESSAGE(file.good(), path.string());
-  Table table;
+  CsvTable table;
   std::getline(file, table.head);
   for (std::string line; std::getline(file, line);) {
     std::istringstream cells(line);
@@ -228,7 +225,7 @@ Table read_table(const std::filesystem::path& path) {
 }
 
 /// Area of the loop of force over penetration, closed through zero: the energy lost.
-double area(const Table& loop) {
+double area(const CsvTable& loop) {
   double sum = 0.0;
   std::vector<double> last{0.0, 0.0, 0.0, 0.0};
   for (const auto& row : loop.rows) {
@@ -262,12 +259,12 @@ TEST_CASE("the figures of the paper made again: files, and values known in close
   // Figure 2: the area is the energy lost, by the closed form of the restitution (errata).
   for (const auto& [e, returned] :
        {std::pair{0.9, 0.9090157413}, {0.7, 0.7679997891}, {0.5, 0.6629622000}}) {
-    const Table loop = read_table(folder / fmt::format("figure2-{:g}.csv", e));
+    const CsvTable loop = read_table(folder / fmt::format("figure2-{:g}.csv", e));
     CHECK(loop.head == "t_s,penetration_m,rate_m_per_s,force_N");
     CHECK(area(loop) == Approx(energy * (1.0 - returned * returned)).epsilon(1e-4));
   }
   // Figure 3: exp(2 q (x - 1)) up to 1, then 1.
-  const Table transition = read_table(folder / "figure3.csv");
+  const CsvTable transition = read_table(folder / "figure3.csv");
   CHECK(transition.head == "x,q2,q3,q4");
   CHECK(transition.rows.size() == 300);
   for (const auto& row : transition.rows)
@@ -276,27 +273,27 @@ TEST_CASE("the figures of the paper made again: files, and values known in close
             Approx(std::exp(2.0 * static_cast<double>(c + 1) * std::min(row[0] - 1.0, 0.0)))
                 .epsilon(1e-6));
   // Figure 5: depth and duration of the elastic impact; the damped one is less deep.
-  const Table elastic = read_table(folder / "figure5-none.csv");
+  const CsvTable elastic = read_table(folder / "figure5-none.csv");
   CHECK(largest(elastic.column(1)) == Approx(deepest).epsilon(1e-5));
   const double duration = elastic.rows.back()[0] - elastic.rows.front()[0];
   CHECK(duration == Approx(2.0 * deepest / v * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9))
                         .epsilon(2e-3));  // the first sample comes up to one sample late
-  const Table damped = read_table(folder / "figure5-lankarani-nikravesh.csv");
+  const CsvTable damped = read_table(folder / "figure5-lankarani-nikravesh.csv");
   CHECK(largest(damped.column(1)) < 0.95 * deepest);
   // Figure 6: sqrt(5) xi.
-  const Table tsuji = read_table(folder / "figure6.csv");
+  const CsvTable tsuji = read_table(folder / "figure6.csv");
   for (const auto& row : tsuji.rows) {
     const double l = std::log(std::max(row[0], 1e-3));
     CHECK(row[1] == Approx(-std::sqrt(5.0) * l / std::sqrt(l * l + pi * pi)).epsilon(1e-6));
   }
   CHECK(tsuji.rows.back()[0] == 1.0);
   // Figure 7: ends at d_m (1 - e^2) without force, e^2 of the energy given back.
-  const Table dent = read_table(folder / "figure7.csv");
+  const CsvTable dent = read_table(folder / "figure7.csv");
   CHECK(dent.rows.back()[1] == Approx(deepest * (1.0 - 0.49)).epsilon(1e-6));
   CHECK(largest(dent.column(3)) == Approx(K * std::pow(deepest, 1.5)).epsilon(1e-4));
   CHECK(area(dent) == Approx(energy * (1.0 - 0.49)).epsilon(1e-3));
   // Figure 10: at 1 mm of clearance; the larger radius difference, outside, gives more.
-  const Table one = read_table(folder / "figure10-steel.csv");
+  const CsvTable one = read_table(folder / "figure10-steel.csv");
   CHECK(one.head == "clearance_mm,DR5,DR10,DR30,DR60");
   CHECK(one.rows.front()[1] == Approx(0.0));
   CHECK(one.rows.back()[0] == 1.0);
@@ -311,7 +308,7 @@ TEST_CASE("the figures of the paper made again: files, and values known in close
   const double X = 1.5 * 0.32 * 0.19, lost = 0.5 * 2.353 * 0.19 * 0.19;
   double last = 0.0;
   for (const char* law : {"esdu-78035", "goldsmith", "radzimovsky", "johnson"}) {
-    const Table loop = read_table(folder / fmt::format("figure15-{}.csv", law));
+    const CsvTable loop = read_table(folder / fmt::format("figure15-{}.csv", law));
     CHECK(largest(loop.column(3)) > last);
     last = largest(loop.column(3));
     const double e = 1.0 - 2.0 / 3.0 * X + 4.0 / 9.0 * X * X;
@@ -321,7 +318,7 @@ TEST_CASE("the figures of the paper made again: files, and values known in close
   for (const DissipativeNote& note : dissipative_catalog()) {
     if (note.name == "none") continue;
     INFO(note.name);
-    const Table loop = read_table(folder / ("hysteresis-" + note.name + ".csv"));
+    const CsvTable loop = read_table(folder / ("hysteresis-" + note.name + ".csv"));
     const auto e =
         closed_form_restitution(note.name, {.restitution = 0.7}, note.linear_only ? 1.0 : 1.5, v);
     if (!e) continue;
