@@ -86,6 +86,7 @@ struct Geneva {
   double centres() const { return crank / std::sin(share()); }  // C
   double rim() const { return crank / std::tan(share()); }      // [m] of the wheel's slots
   double half_width() const { return pin + clearance; }
+  double root() const { return centres() - 1.02 * crank - 2.0 * clearance; }  // [m] of a slot
   Vec2 wheel_axis() const { return {centres(), 0.0}; }
   /// A point of the wheel that points away from the driver in direction 0.
   Vec2 on_wheel(double radius, double direction) const {
@@ -161,13 +162,12 @@ double disc_mass(const Geneva& c) { return 2.0 * c.inertia / (c.rim() * c.rim())
 
 void add_slots(Model& m, const Geneva& c, const WallLaws& laws, BodyId driver, const Vec2& pin,
                BodyId wheel) {
-  const double root = c.centres() - c.crank - 2.0 * c.clearance - 0.02 * c.crank;
   for (int k = 0; k < c.slots; ++k) {
     const double direction = pi + c.share() * (2 * k + 1);
     m.add(PinInSlot{
         .name = fmt::format("slot {}", k + 1),
         .pin = {driver, pin, c.pin},
-        .slot = {wheel, curve_slot({.centreline = line_segment(c.on_wheel(root, direction),
+        .slot = {wheel, curve_slot({.centreline = line_segment(c.on_wheel(c.root(), direction),
                                                                c.on_wheel(c.rim(), direction)),
                                     .half_width = c.half_width(),
                                     .end = SlotEnd::open,
@@ -208,6 +208,29 @@ void add_lock(Model& m, const Geneva& c, const WallLaws& laws, BodyId driver, do
   }
 }
 
+/// The wheel as it is drawn: hollow lobes with a slot between each two.
+std::vector<Vec2> wheel_outline(const Geneva& c) {
+  constexpr int parts = 24;
+  const Vec2 tip = c.on_wheel(c.rim(), pi - c.tip_angle());
+  const double half = std::atan2(tip.y(), tip.x()), h = c.half_width();
+  std::vector<Vec2> outline;
+  for (int k = 0; k < c.slots; ++k) {
+    const double turn = 2.0 * c.share() * k;
+    for (int i = 0; i <= parts; ++i) {
+      const Vec2 hollow =
+          rotate(half * (1.0 - 2.0 * i / parts), {c.disc_radius() + c.lock_gap, 0.0});
+      outline.push_back(rotate(turn, hollow - c.wheel_axis()));
+    }
+    const Vec2 out = rotate(pi + c.share() + turn, {1.0, 0.0});
+    outline.push_back(c.rim() * out - h * perp(out));
+    for (int i = 0; i <= parts; ++i)
+      outline.push_back(c.root() * out - rotate(-pi * i / parts, h * perp(out)));
+    outline.push_back(c.rim() * out + h * perp(out));
+  }
+  for (Vec2& p : outline) p += c.wheel_axis();
+  return outline;
+}
+
 Model geneva_model(const Geneva& c, const WallLaws& laws) {
   // With clearance the pin starts on the far side; without, where it enters a slot.
   const double phi = c.ideal ? -c.engaged() : pi;
@@ -218,8 +241,11 @@ Model geneva_model(const Geneva& c, const WallLaws& laws) {
                                    .inertia = 1e-3,
                                    .pose = {{0.0, 0.0}, phi},
                                    .twist = {{0.0, 0.0}, c.omega}});
-  const BodyId wheel = m.add(Body{
-      .name = "wheel", .mass = disc_mass(c), .inertia = c.inertia, .pose = {c.wheel_axis(), 0.0}});
+  const BodyId wheel = m.add(Body{.name = "wheel",
+                                  .mass = disc_mass(c),
+                                  .inertia = c.inertia,
+                                  .pose = {c.wheel_axis(), 0.0},
+                                  .outline = wheel_outline(c)});
   m.add(Revolute{.name = "driver bearing", .a = ground, .b = driver, .at = {0.0, 0.0}});
   m.add(Revolute{.name = "wheel bearing", .a = ground, .b = wheel, .at = c.wheel_axis()});
   m.add(AngleDriver{.name = "motor", .body = driver, .angle = constant_speed(phi, c.omega)});

@@ -71,13 +71,15 @@ function lensAt(run, element, t) {
 // How far the disc alone can show the magnification.
 const mostByDisc = (look) => (look.clearance > 0 ? 1 + (1 - smallestDisc) * look.contact.radius / look.clearance : 1000);
 
-// So that the clearance, or the deepest penetration of a disc at one wall alone, is easily seen.
-function fittingMagnification(run, element) {
-  const look = lensAt(run, element, run.start);
+// So that the clearance, or the deepest penetration of a disc at one wall alone, is easily seen; of a disc
+// that never touches, the gap now.
+function fittingMagnification(run, element, t) {
+  const look = lensAt(run, element, t);
   if (!look) return 100;
   let deepest = 0;
   for (const d of run.column(`${element}.penetration`).values) if (d > deepest) deepest = d;
-  const wanted = look.clearance > 0 ? 0.6 * mostByDisc(look) : deepest > 0 ? 0.3 * look.size / deepest : 100;
+  const wanted = look.clearance > 0 ? 0.6 * mostByDisc(look) : deepest > 0 ? 0.3 * look.size / deepest
+    : Math.min(100, look.size / Math.max(-look.contact.depth, 1e-12));
   return Math.min(1000, Math.max(1, wanted));
 }
 

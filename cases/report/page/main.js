@@ -3,6 +3,8 @@
 //
 // The page: one run is animated, one or more are plotted, all share one time.
 
+const nearestContact = "*";  // no element is called so
+
 class App {
   constructor() {
     this.about = JSON.parse($("about").textContent);
@@ -88,9 +90,12 @@ class App {
     this.view.traces = this.traces[chosen].of;
     const lenses = run.elements.contacts.filter((e) => run.column(`${e}.penetration`) && run.drawing.shapes.some((s) => s.kind === "disc" && s.element === e));
     $("lens-choice").parentElement.hidden = lenses.length === 0;
-    fillSelect($("lens-choice"), [["", "none"], ...lenses.map((e) => [e, e])], lenses.includes(this.view.lens) ? this.view.lens : "");
+    const choices = [...(lenses.length > 1 ? [[nearestContact, "the nearest contact"]] : []), ...lenses.map((e) => [e, e])];
+    this.lenses = lenses;
+    fillSelect($("lens-choice"), [["", "none"], ...choices], "");
     // A clearance is not seen without the lens: it is there from the start where there is room.
-    if (!lenses.includes(this.view.lens)) this.view.lens = lenses.length && window.innerWidth > 700 ? lenses[0] : "";
+    if (!choices.some(([value]) => value === this.view.lens))
+      this.view.lens = lenses.length && window.innerWidth > 700 ? choices[0][0] : "";
     $("lens-choice").value = this.view.lens;
     this.speed = run.moves ? this.fittingSpeed(run) : 1;
     fillSelect($("speed"), [...new Set([...speeds, this.speed])].sort((a, b) => b - a).map((s) => [String(s), speedText(s)]), String(this.speed));
@@ -276,7 +281,7 @@ class App {
     $("readout").textContent = this.run.moves ? `t = ${quantity(this.time, "s", 6)}` + this.touching(row) : "start pose";
     $("scrub").value = this.run.moves ? 1e5 * (this.time - this.run.start) / (this.run.end - this.run.start) : 0;
     $("magnification-text").textContent = ` ${Math.round(this.view.magnification)}`;
-    if (this.view.lens) drawLens($("lens"), this.run, this.view.lens, this.time, this.view.magnification, $("lens-text"));
+    if (this.view.lens) drawLens($("lens"), this.run, this.underLens(), this.time, this.view.magnification, $("lens-text"));
     for (const plot of this.allPlots())
       if (plot.seen && !plot.stale) { if (plot instanceof TimePlot) plot.update(); else plot.draw(); }
     this.table.update(this.time);
@@ -305,11 +310,17 @@ class App {
   }
   covered() { return this.view.lens && this.camera.width > 480 ? $("lens-box").offsetWidth + 12 : 0; }
   zoom(factor) { this.camera.zoom(factor); this.redraw(); }
+  // The contact chosen, or the one whose disc is nearest to its wall or deepest in it.
+  underLens() {
+    if (this.view.lens !== nearestContact) return this.view.lens;
+    const depth = (e) => between(this.run, this.run.column(`${e}.penetration`), this.time);
+    return this.lenses.reduce((a, b) => (depth(b) > depth(a) ? b : a));
+  }
   showLens() {
     $("lens-box").hidden = this.view.lens === "";
     $("magnification-label").hidden = this.view.lens === "";
     if (this.view.lens) {
-      this.view.magnification = fittingMagnification(this.run, this.view.lens);
+      this.view.magnification = fittingMagnification(this.run, this.underLens(), this.time);
       $("magnification").value = Math.log10(this.view.magnification);
     }
     this.fit();
