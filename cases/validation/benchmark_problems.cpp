@@ -401,6 +401,9 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::string& formul
     r.trouble = fmt::format("cut after {:g} s of processor time", benchmark.budget);
   else if (!s.ok())
     r.trouble = s.reason;
+  else if (s.tolerance_kept > tolerance)  // it counts where it is asked for
+    r.trouble =
+        fmt::format("the tolerance was out of reach on the way; {:g} was kept", s.tolerance_kept);
   return r;
 }
 
