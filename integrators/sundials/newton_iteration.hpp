@@ -4,7 +4,9 @@
 // SUNDIALS' Newton iteration for IDA with one change of its test of convergence. IDA calls an
 // iteration diverged whose correction is not smaller than the one before, also if both are far below
 // the tolerance and only rounding is left to correct. Where a tolerance is close to rounding it then
-// shortens the step for ever, although every first iterate was good enough.
+// shortens the step for ever, although every first iterate was good enough. What IDA also does, to
+// distrust its estimate of the rate after any change of the step, is left out: ida.cpp makes the
+// matrix anew after a small one, which starts the estimate again.
 #pragma once
 
 #include <sundials/sundials_nonlinearsolver.h>
