@@ -83,7 +83,7 @@ struct Extremes {
 /// Watches a central impact that nothing else acts on.
 class Gauge final : public ForceElement {
  public:
-  Gauge(BodyId a, BodyId b, const PointOnFace& geometry, const Impact& impact,
+  Gauge(BodyId a, BodyId b, const PointOnFace& geometry, const CentralImpact& impact,
         std::shared_ptr<Extremes> extremes)
       : ForceElement("gauge", {a, b}, {.position = false, .velocity = false}),
         geometry_(geometry),
@@ -134,7 +134,7 @@ class Gauge final : public ForceElement {
 struct GaugeDescription {
   BodyId a, b;
   PointOnFace geometry;
-  const Impact& impact;
+  const CentralImpact& impact;
   std::shared_ptr<Extremes> extremes;
 
   std::unique_ptr<ForceElement> build(const Model&) const {
@@ -147,7 +147,7 @@ constexpr double greatest_depth = 1e3;          // [m]
 constexpr double speed_of_light = 299792458.0;  // [m/s]
 
 /// Largest penetration without dissipation: U(d) = m v^2/2. At most the limit of the law.
-double elastic_penetration(const Impact& impact) {
+double elastic_penetration(const CentralImpact& impact) {
   const ElasticLaw& law = impact.law.elastic;
   const double energy = 0.5 * impact.mass * impact.speed * impact.speed;
   const double limit = std::min(law.limit(), greatest_depth);
@@ -164,7 +164,7 @@ double elastic_penetration(const Impact& impact) {
   return high;
 }
 
-void check(const Impact& impact) {
+void check(const CentralImpact& impact) {
   require_positive("impact", "speed", impact.speed, "m/s");
   require_range("impact", "speed", impact.speed, 0.0, speed_of_light, "m/s");
   require_positive("impact", "mass", impact.mass, "kg");
@@ -172,7 +172,7 @@ void check(const Impact& impact) {
 }
 
 /// Refuses a depth that the engine does not resolve or the law does not mean.
-void check_depth(const Impact& impact, double depth) {
+void check_depth(const CentralImpact& impact, double depth) {
   const bool shallow = depth < least_depth;
   if (!shallow && depth < greatest_depth) return;
   throw ModelError(fmt::format(
@@ -199,7 +199,7 @@ struct Scene {
     bodies.push_back(body);
     return model.add(body);
   }
-  void watch(BodyId a, BodyId b, const PointOnFace& geometry, const Impact& impact) {
+  void watch(BodyId a, BodyId b, const PointOnFace& geometry, const CentralImpact& impact) {
     model.add(GaugeDescription{a, b, geometry, impact, extremes});
   }
   double kinetic(const Eigen::VectorXd& v) const {
@@ -224,8 +224,8 @@ struct Scale {
   double depth, force, gap;  // [m, N, m]
 };
 
-void build_faces(Scene& scene, const Impact& impact, const Scale& scale) {
-  const bool wall = impact.setup == Impact::Setup::wall;
+void build_faces(Scene& scene, const CentralImpact& impact, const Scale& scale) {
+  const bool wall = impact.setup == CentralImpact::Setup::wall;
   scene.free = !wall;
   const double inertia = impact.mass * scale.depth * scale.depth;
   const BodyId a = scene.add({.name = "a",
@@ -240,7 +240,7 @@ void build_faces(Scene& scene, const Impact& impact, const Scale& scale) {
   scene.watch(a, b, geometry, impact);
 }
 
-void build_slot(Scene& scene, const Impact& impact, const Scale& scale) {
+void build_slot(Scene& scene, const CentralImpact& impact, const Scale& scale) {
   constexpr double radius = 60e-3, pin_radius = 8e-3;  // [m]
   scene.free = true;
   const double clearance = 4.0 * scale.depth;  // the other wall is out of reach
@@ -263,7 +263,7 @@ void build_slot(Scene& scene, const Impact& impact, const Scale& scale) {
   scene.watch(pin, slotted, PointOnFace(pin, slotted, {0.0, 0.0}, radius + clearance), impact);
 }
 
-void build_pendulum(Scene& scene, const Impact& impact, const Scale& scale) {
+void build_pendulum(Scene& scene, const CentralImpact& impact, const Scale& scale) {
   constexpr double penetrations_per_arm = 1.25e5;
   const double arm = penetrations_per_arm * scale.depth, center = 0.6 * arm;  // [m] from the pivot
   const double mass = 1.5 * impact.mass;
@@ -283,14 +283,14 @@ void build_pendulum(Scene& scene, const Impact& impact, const Scale& scale) {
   scene.watch(swing, ground, geometry, impact);
 }
 
-void build(Scene& scene, const Impact& impact, const Scale& scale) {
+void build(Scene& scene, const CentralImpact& impact, const Scale& scale) {
   switch (impact.setup) {
-    case Impact::Setup::two_bodies:
-    case Impact::Setup::wall:
+    case CentralImpact::Setup::two_bodies:
+    case CentralImpact::Setup::wall:
       return build_faces(scene, impact, scale);
-    case Impact::Setup::slot:
+    case CentralImpact::Setup::slot:
       return build_slot(scene, impact, scale);
-    case Impact::Setup::pendulum:
+    case CentralImpact::Setup::pendulum:
       return build_pendulum(scene, impact, scale);
   }
 }
@@ -320,30 +320,30 @@ std::optional<double> power_of(const ElasticLaw& law) {
   return std::round(n * 1e12) / 1e12;
 }
 
-std::string name_of(Impact::Setup setup) {
+std::string name_of(CentralImpact::Setup setup) {
   switch (setup) {
-    case Impact::Setup::two_bodies:
+    case CentralImpact::Setup::two_bodies:
       return "bodies";
-    case Impact::Setup::wall:
+    case CentralImpact::Setup::wall:
       return "wall";
-    case Impact::Setup::slot:
+    case CentralImpact::Setup::slot:
       return "slot";
-    case Impact::Setup::pendulum:
+    case CentralImpact::Setup::pendulum:
       break;
   }
   return "pendulum";
 }
 
-Impact::Setup setup_named(std::string_view name) {
+CentralImpact::Setup setup_named(std::string_view name) {
   std::vector<std::string> known;
-  for (const Impact::Setup setup : all_setups) {
+  for (const CentralImpact::Setup setup : all_setups) {
     known.push_back(name_of(setup));
     if (known.back() == name) return setup;
   }
   throw ModelError(fmt::format("setup '{}'{}", name, suggestion(std::string(name), known)));
 }
 
-ImpactOutcome simulate_impact(const Impact& impact) {
+ImpactOutcome simulate_impact(const CentralImpact& impact) {
   check(impact);
   const double depth = elastic_penetration(impact);
   check_depth(impact, depth);

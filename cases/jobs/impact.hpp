@@ -28,7 +28,7 @@
 
 namespace yoke::cases {
 
-struct Impact {
+struct CentralImpact {
   enum class Setup { two_bodies, wall, slot, pendulum };
 
   ContactLaw law;
@@ -58,15 +58,16 @@ struct ImpactOutcome {
 };
 
 /// "bodies", "wall", "slot", "pendulum", as on the command line.
-std::string name_of(Impact::Setup setup);
+std::string name_of(CentralImpact::Setup setup);
 /// Throws ModelError that lists the names.
-Impact::Setup setup_named(std::string_view name);
-inline constexpr Impact::Setup all_setups[] = {Impact::Setup::two_bodies, Impact::Setup::wall,
-                                               Impact::Setup::slot, Impact::Setup::pendulum};
+CentralImpact::Setup setup_named(std::string_view name);
+inline constexpr CentralImpact::Setup all_setups[] = {
+    CentralImpact::Setup::two_bodies, CentralImpact::Setup::wall, CentralImpact::Setup::slot,
+    CentralImpact::Setup::pendulum};
 
 /// Throws ModelError for a parameter out of range, and if the run fails or the surfaces do not
 /// part.
-ImpactOutcome simulate_impact(const Impact& impact);
+ImpactOutcome simulate_impact(const CentralImpact& impact);
 
 /// The loop as a table: t_s, penetration_m, rate_m_per_s, force_N; while the surfaces touch.
 std::string loop_csv(const std::vector<LoopPoint>& loop);

@@ -81,7 +81,7 @@ nlohmann::ordered_json optional(const std::optional<double>& value) {
 
 std::string cell(const std::optional<double>& value) { return value ? exactly(*value) : ""; }
 
-void print_json(const ImpactOptions& o, const Impact& impact, const Report& r) {
+void print_json(const ImpactOptions& o, const CentralImpact& impact, const Report& r) {
   const nlohmann::ordered_json json = {{"elastic", o.elastic.elastic},
                                        {"dissipation", o.dissipation},
                                        {"setup", o.setup},
@@ -114,7 +114,7 @@ void print_csv(const Report& r) {
              exactly(x.permanent_set));
 }
 
-void print_text(const ImpactOptions& o, const Impact& impact, const Report& r) {
+void print_text(const ImpactOptions& o, const CentralImpact& impact, const Report& r) {
   const auto value = [](const std::optional<double>& x) {
     return x ? fmt::format("{:.12g}", *x) : std::string("-");
   };
@@ -148,7 +148,7 @@ void plot_loop(const ImpactOptions& o, const std::vector<LoopPoint>& loop) {
 
 int impact_verb(const ImpactOptions& o) {
   check_format(o.format, {"text", "csv", "json"});
-  const Impact::Setup setup = setup_named(o.setup);
+  const CentralImpact::Setup setup = setup_named(o.setup);
   if (o.speed.empty()) throw ModelError("--speed is missing: of approach, for instance 0.37 [m/s]");
   if (o.mass.empty()) throw ModelError("--mass is missing: effective mass, for instance 1.3 [kg]");
   const double speed = parse_in("--speed", o.speed, "m/s");
@@ -159,13 +159,13 @@ int impact_verb(const ImpactOptions& o) {
   report.asked = restitution_asked(o, arguments, speed);
   const ElasticLaw elastic = elastic_law(o.elastic);
   const DissipativeLaw dissipation = make_dissipative(o.dissipation, arguments);
-  const Impact impact{.law = {elastic, dissipation},
-                      .speed = speed,
-                      .mass = mass,
-                      .setup = setup,
-                      .relative_tolerance = o.relative_tolerance,
-                      .formulation = o.formulation,
-                      .samples = o.plot ? loop_samples : 0};
+  const CentralImpact impact{.law = {elastic, dissipation},
+                             .speed = speed,
+                             .mass = mass,
+                             .setup = setup,
+                             .relative_tolerance = o.relative_tolerance,
+                             .formulation = o.formulation,
+                             .samples = o.plot ? loop_samples : 0};
   report.outcome = simulate_impact(impact);
   report.closed_form = closed_form_restitution(
       o.dissipation, arguments,

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <yoke/cases/report/base64.hpp>
-#include <yoke/cases/report/impacts.hpp>
+#include <yoke/cases/report/contact_spans.hpp>
 #include <yoke/cases/report/thinning.hpp>
 #include <yoke/core/drawing/drawing.hpp>
 #include <yoke/core/version.hpp>
@@ -204,9 +204,9 @@ Json columns_json(const Replay& replay, const std::vector<std::size_t>& rows) {
   return columns;
 }
 
-Json impacts_json(const std::vector<Impact>& impacts) {
+Json impacts_json(const std::vector<ContactSpan>& impacts) {
   Json json = Json::array();
-  for (const Impact& i : impacts) {
+  for (const ContactSpan& i : impacts) {
     if (json.size() == most_impacts) break;
     json.push_back({{"element", i.element},
                     {"region", i.region},
@@ -273,7 +273,7 @@ Json names_json(const Model& model) {
 
 std::string to_json(const Replay& replay) {
   const Table& samples = replay.samples;
-  const std::vector<Impact> impacts = impacts_of(samples, replay.events);
+  const std::vector<ContactSpan> impacts = contact_spans(samples, replay.events);
   const double bytes_of_row = static_cast<double>(samples.names().size()) * sizeof(float) * 4 / 3;
   const auto fitting =
       static_cast<std::size_t>(bytes_of_report / bytes_of_row / static_cast<double>(replay.share));

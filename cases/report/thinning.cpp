@@ -17,12 +17,13 @@ void sort_out(Rows& rows) {
 }
 
 /// Of every impact its ends and its peak, and as many rows between as fit.
-Rows rows_of_impacts(const Table& samples, const std::vector<Impact>& impacts, std::size_t most) {
+Rows rows_of_impacts(const Table& samples, const std::vector<ContactSpan>& impacts,
+                     std::size_t most) {
   Rows rows{0, samples.rows() - 1};
   constexpr std::size_t densest = 40;
   const std::size_t parts =
       impacts.empty() ? 1 : std::clamp<std::size_t>(most / (2 * impacts.size()), 1, densest);
-  for (const Impact& impact : impacts) {
+  for (const ContactSpan& impact : impacts) {
     if (impact.first > 0) rows.push_back(impact.first - 1);
     for (std::size_t k = 0; k <= parts; ++k)
       rows.push_back(impact.first + (impact.last - impact.first) * k / parts);
@@ -62,7 +63,7 @@ Rows extremes(const Table& samples, std::size_t parts) {
 
 }  // namespace
 
-std::vector<std::size_t> thinned_rows(const Table& samples, const std::vector<Impact>& impacts,
+std::vector<std::size_t> thinned_rows(const Table& samples, const std::vector<ContactSpan>& impacts,
                                       std::size_t most) {
   Rows all(samples.rows());
   std::iota(all.begin(), all.end(), std::size_t{0});

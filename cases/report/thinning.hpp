@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <yoke/cases/report/impacts.hpp>
+#include <yoke/cases/report/contact_spans.hpp>
 #include <yoke/core/result.hpp>
 
 namespace yoke::cases {
@@ -17,7 +17,7 @@ namespace yoke::cases {
 /// each impact its ends, its peak and rows between them, and of equal stretches of the run the rows
 /// where a column is least and greatest. Only where the impacts alone need more than `most` there
 /// are more.
-std::vector<std::size_t> thinned_rows(const Table& samples, const std::vector<Impact>& impacts,
+std::vector<std::size_t> thinned_rows(const Table& samples, const std::vector<ContactSpan>& impacts,
                                       std::size_t most);
 
 }  // namespace yoke::cases

@@ -85,7 +85,7 @@ constexpr const char* integrators[] = {"arkode-projection", "ida-ggl"};
 struct Row {
   Damper damper;
   const Spring* spring;
-  Impact::Setup setup;
+  CentralImpact::Setup setup;
   double e = 0.0;
   std::optional<double> closed_form{};
   std::vector<ImpactOutcome> outcomes{};  // in the order of integrators
@@ -132,7 +132,7 @@ std::vector<Row> measure_all(const std::vector<Spring>& all) {
   for (const Damper& damper : dampers())
     for (const double e : asked) {
       if (damper.note->name == "none" && e != asked[0]) continue;
-      for (const Impact::Setup setup : all_setups)
+      for (const CentralImpact::Setup setup : all_setups)
         for (const Spring& spring : all) {
           if (damper.note->linear_only && spring.n != 1.0) continue;
           rows.push_back({damper, &spring, setup, damper.note->name == "none" ? 1.0 : e});
@@ -216,11 +216,11 @@ void print_springs(Document& doc, const std::vector<Row>& rows, const std::vecto
   doc.print(
       "The fewest digits of the restitution over all laws of damping with a closed form.\n\n");
   Texts head{"elastic law"};
-  for (const Impact::Setup setup : all_setups) head.push_back(name_of(setup));
+  for (const CentralImpact::Setup setup : all_setups) head.push_back(name_of(setup));
   doc.head(head);
   for (const Spring& spring : all) {
     Texts cells{spring.name};
-    for (const Impact::Setup setup : all_setups) {
+    for (const CentralImpact::Setup setup : all_setups) {
       double worst = 0.0;
       for (const Row& row : rows)
         if (row.spring == &spring && row.setup == setup && row.refused.empty() && row.closed_form)
@@ -238,7 +238,7 @@ void print_numbers(Document& doc, const std::vector<Row>& rows) {
   doc.head({"law", "asked", "delivered", "largest penetration [m]", "largest force [N]",
             "duration [s]", "dissipated [J]", "permanent set [m]"});
   for (const Row& row : rows) {
-    if (!row.refused.empty() || row.setup != Impact::Setup::two_bodies) continue;
+    if (!row.refused.empty() || row.setup != CentralImpact::Setup::two_bodies) continue;
     if (row.spring->name !=
         (row.damper.note->linear_only ? "power:K=1e8,n=1" : "power:K=1e8,n=1.5"))
       continue;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Who may include whom. Reads the source tree and fails on a wrong arrow.
+// Who may include whom, and what else holds of the source tree as a whole. Reads it and fails on what is
+// wrong.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -180,6 +181,32 @@ std::vector<std::string> sources(const fs::path& root, const std::string& folder
   return found;
 }
 
+// Names of the types that a file defines at namespace scope, unnamed namespaces left out. Relies on
+// the layout that clang-format gives: what stands there begins in the first column.
+std::vector<std::string> types_of(const std::string& text) {
+  static const std::vector<std::string> keywords = {"struct", "class", "union", "enum"};
+  std::vector<std::string> scopes, types;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string keyword, name;
+    words >> keyword >> name;
+    if (line.starts_with("namespace ") && line.ends_with("{")) {
+      scopes.push_back(name);
+    } else if (line.starts_with("}  // namespace") && !scopes.empty()) {
+      scopes.pop_back();
+    } else if (contains(keywords, keyword) && line.starts_with(keyword)) {
+      if (name == "class") words >> name;  // enum class
+      const bool defines = line.find('{') != std::string::npos && name.find("::") == name.npos;
+      if (!defines || contains(scopes, "{")) continue;
+      std::string path;
+      for (const std::string& scope : scopes) path += scope + "::";
+      types.push_back(path + name.substr(0, name.find_first_of(":{")));
+    }
+  }
+  return types;
+}
+
 TEST_CASE("structure: folders include only what they may") {
   const fs::path root = YOKE_SOURCE_DIR;
   std::size_t files = 0;
@@ -207,6 +234,29 @@ TEST_CASE("structure: every room has its place, and is small enough to be read")
     }
     for (const std::string& room : order) CHECK_MESSAGE(sizes.count(room) == 1, room);
   }
+}
+
+// Two types of one name break the rule of one definition: the linker keeps the functions of one of
+// them for both, and no compiler warns.
+TEST_CASE("structure: no two files define a type of the same name") {
+  const fs::path root = YOKE_SOURCE_DIR;
+  std::map<std::string, std::string> where;
+  for (const char* folder : {"core", "joints", "contact", "integrators", "cases", "tests"}) {
+    for (const std::string& path : sources(root, folder)) {
+      if (!path.ends_with(".cpp") && !path.ends_with(".hpp")) continue;
+      for (const std::string& type : types_of(yoke::tests::source(path))) {
+        const auto [known, is_new] = where.emplace(type, path);
+        CHECK_MESSAGE(is_new, type << " in " << known->second << " and in " << path);
+      }
+    }
+  }
+  CHECK(where.size() > 200);
+
+  CHECK(types_of("namespace a {\nstruct B {};\nclass C : public B {\n};\n}  // namespace a\n") ==
+        std::vector<std::string>{"a::B", "a::C"});
+  CHECK(types_of("namespace {\nstruct B {};\n}  // namespace\nenum class D { one };\n") ==
+        std::vector<std::string>{"D"});
+  CHECK(types_of("struct A;\nstruct A::B {\n};\n").empty());
 }
 
 TEST_CASE("structure: every file has its licence line") {

@@ -50,7 +50,7 @@ struct Worst {
 };
 
 inline void check_impact(const std::string& law, const Spring& spring, double e,
-                         const Expected& expected, bool clamp, cases::Impact::Setup setup,
+                         const Expected& expected, bool clamp, cases::CentralImpact::Setup setup,
                          const std::string& formulation, Worst& worst) {
   INFO(law, " ", spring.specification, " e = ", e, std::string(clamp ? " clamped " : " "),
        cases::name_of(setup), " ", formulation);
@@ -79,7 +79,7 @@ inline void check_impact(const std::string& law, const Spring& spring, double e,
   check("permanent set", std::abs(x.permanent_set - expected.set) / expected.penetration, promise,
         worst.set);
   // Two bodies on a line: to rounding. In a slot the normal is a computed direction.
-  check("momentum", x.momentum_error, setup == cases::Impact::Setup::slot ? 1e-12 : 1e-13,
+  check("momentum", x.momentum_error, setup == cases::CentralImpact::Setup::slot ? 1e-12 : 1e-13,
         worst.momentum);
   ++worst.impacts;
 }

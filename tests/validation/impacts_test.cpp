@@ -18,7 +18,7 @@ using namespace yoke;
 using namespace yoke::cases;
 using namespace yoke::reference;
 
-void check_all(Impact::Setup setup, bool clamp) {
+void check_all(CentralImpact::Setup setup, bool clamp) {
   Worst worst;
   for (const DissipativeNote& note : dissipative_catalog()) {
     if (clamp && !pulls(note.name)) continue;
@@ -38,12 +38,16 @@ void check_all(Impact::Setup setup, bool clamp) {
 
 }  // namespace
 
-TEST_CASE("every law, two free bodies") { check_all(Impact::Setup::two_bodies, false); }
-TEST_CASE("every law, a ball on a fixed wall") { check_all(Impact::Setup::wall, false); }
-TEST_CASE("every law, a pin on the wall of a free slot") { check_all(Impact::Setup::slot, false); }
-TEST_CASE("every law, a physical pendulum on a stop") { check_all(Impact::Setup::pendulum, false); }
+TEST_CASE("every law, two free bodies") { check_all(CentralImpact::Setup::two_bodies, false); }
+TEST_CASE("every law, a ball on a fixed wall") { check_all(CentralImpact::Setup::wall, false); }
+TEST_CASE("every law, a pin on the wall of a free slot") {
+  check_all(CentralImpact::Setup::slot, false);
+}
+TEST_CASE("every law, a physical pendulum on a stop") {
+  check_all(CentralImpact::Setup::pendulum, false);
+}
 TEST_CASE("laws that pull, let go where the force vanishes") {
-  for (const Impact::Setup setup : all_setups) check_all(setup, true);
+  for (const CentralImpact::Setup setup : all_setups) check_all(setup, true);
 }
 
 TEST_CASE("lee-wang-2 let go where the force vanishes presses again, whatever its transition") {

@@ -33,7 +33,7 @@ TEST_CASE("every law at least once, in every geometry, against closed forms and 
   for (const DissipativeNote& note : dissipative_catalog())
     for (const bool clamp : {false, true}) {
       if (clamp && !pulls(note.name)) continue;
-      for (const Impact::Setup setup : all_setups) {
+      for (const CentralImpact::Setup setup : all_setups) {
         const Spring& spring = note.linear_only ? all[0] : all[turn % all.size()];
         const double e = note.name == "none"                       ? 1.0
                          : note.name == "marhefka-orin-simplified" ? asked[2 + turn % 4]

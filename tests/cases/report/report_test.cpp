@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <yoke/cases/report/base64.hpp>
-#include <yoke/cases/report/impacts.hpp>
+#include <yoke/cases/report/contact_spans.hpp>
 #include <yoke/cases/report/page.hpp>
 #include <yoke/cases/report/page_text.hpp>
 #include <yoke/cases/report/replay.hpp>
@@ -71,7 +71,7 @@ TEST_SUITE("report") {
     std::vector<EventRecord> events = one_impact(500);
     events.push_back(
         {.t = 9e-4, .element = "stop", .kind = "onset", .region = "wall", .speed = 1.0});
-    const std::vector<Impact> impacts = impacts_of(table, events);
+    const std::vector<ContactSpan> impacts = contact_spans(table, events);
     REQUIRE(impacts.size() == 2);
     CHECK(impacts[0].peak_force == 1000.0);
     CHECK(impacts[0].deepest == doctest::Approx(2e-6));
@@ -84,7 +84,7 @@ TEST_SUITE("report") {
   TEST_CASE("of a million rows few are kept, and no extreme or impact is lost") {
     const std::size_t rows = 1000000, peak = 654321;
     const Table table = long_run(rows, peak);
-    const std::vector<Impact> impacts = impacts_of(table, one_impact(peak));
+    const std::vector<ContactSpan> impacts = contact_spans(table, one_impact(peak));
     const std::vector<std::size_t> kept = thinned_rows(table, impacts, 3000);
     CHECK(kept.size() <= 3000);
     CHECK(kept.size() > 1000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/cases/report/impacts.hpp>
+#include <yoke/cases/report/contact_spans.hpp>
 
 #include <algorithm>
 #include <map>
@@ -10,7 +10,7 @@ namespace yoke::cases {
 namespace {
 
 /// Rows within, and what they show.
-void look_into(Impact& impact, const Table& samples) {
+void look_into(ContactSpan& impact, const Table& samples) {
   const std::size_t t = samples.index("t_s");
   const auto row_after = [&](double time) {
     std::size_t low = 0, high = samples.rows();
@@ -40,8 +40,9 @@ void look_into(Impact& impact, const Table& samples) {
 
 }  // namespace
 
-std::vector<Impact> impacts_of(const Table& samples, const std::vector<EventRecord>& events) {
-  std::vector<Impact> found;
+std::vector<ContactSpan> contact_spans(const Table& samples,
+                                       const std::vector<EventRecord>& events) {
+  std::vector<ContactSpan> found;
   if (samples.rows() == 0) return found;
   const double end = samples.value(samples.rows() - 1, samples.index("t_s"));
   std::map<std::string, std::size_t> open;  // by element, the one that lasts
@@ -56,13 +57,13 @@ std::vector<Impact> impacts_of(const Table& samples, const std::vector<EventReco
     } else if (e.kind == "release") {
       const auto it = open.find(e.element);
       if (it == open.end()) continue;
-      Impact& impact = found[it->second];
+      ContactSpan& impact = found[it->second];
       impact.release = e.t;
       if (impact.speed > 0.0) impact.restitution = -e.speed / impact.speed;
       open.erase(it);
     }
   }
-  for (Impact& impact : found) look_into(impact, samples);
+  for (ContactSpan& impact : found) look_into(impact, samples);
   return found;
 }
 

@@ -12,7 +12,7 @@
 
 namespace yoke::cases {
 
-struct Impact {
+struct ContactSpan {
   std::string element, region;
   double onset = 0.0;       // [s]
   double release = 0.0;     // [s]; of one that lasts, the end of the run
@@ -25,6 +25,7 @@ struct Impact {
 };
 
 /// From an onset to the release that follows, by time of onset.
-std::vector<Impact> impacts_of(const Table& samples, const std::vector<EventRecord>& events);
+std::vector<ContactSpan> contact_spans(const Table& samples,
+                                       const std::vector<EventRecord>& events);
 
 }  // namespace yoke::cases
