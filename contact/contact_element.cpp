@@ -49,6 +49,11 @@ struct ContinuedFollowing {
   std::string name() const { return law.name(); }
 };
 
+bool wants_jacobian(const ForceRequest& out) {
+  return out.dQ_dq != nullptr || out.dQ_dv != nullptr || out.dQ_dz != nullptr ||
+         out.dz_dq != nullptr || out.dz_dv != nullptr || out.dz_dz != nullptr;
+}
+
 }  // namespace
 
 ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
@@ -66,6 +71,15 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
   if (laws_.size() != region_names_.size())
     throw ModelError(fmt::format("{}: {} laws are given for {} regions", owner, laws_.size(),
                                  region_names_.size()));
+  for (const ContactLaw& each : laws_) {
+    has_friction_ = has_friction_ || !each.friction.none();
+    has_bristles_ = has_bristles_ || each.friction.has_state();
+  }
+  if (has_friction_ && !geometry_->knows_slip())
+    throw ModelError(fmt::format(
+        "{}: there is no friction on this geometry: it does not say how the surfaces slide "
+        "(ContactGeometry::calc_slip)",
+        owner));
   penetration_scale_ = std::numeric_limits<double>::infinity();
   for (ContactLaw& each : laws_) {
     penetration_scale_ = std::min(penetration_scale_, each.elastic.penetration_at(reference_force));
@@ -123,9 +137,19 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
   if (out.energy != nullptr) *out.energy = {};
   const bool apart = memory.phase == ContactPhase::apart;
   if (apart && !lifted(in, memory)) return;
-  if (law(memory.region).elastic.follows_curvature()) return evaluate_following(in, out);
+  Pressure pressure;
+  if (law(memory.region).elastic.follows_curvature())
+    evaluate_following(in, out, pressure);
+  else
+    evaluate_normal(in, out, pressure);
+  if (!apart && !law(memory.region).friction.none()) add_friction(in, out, pressure);
+}
 
-  const bool want_jacobian = !apart && (out.dQ_dq != nullptr || out.dQ_dv != nullptr);
+void ContactElement::evaluate_normal(const ForceInput& in, const ForceRequest& out,
+                                     Pressure& pressure) const {
+  const ContactMemory& memory = *in.contact;
+  const bool apart = memory.phase == ContactPhase::apart;
+  const bool want_jacobian = !apart && wants_jacobian(out);
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, want_jacobian, k);
   const ContactRow& g = k.gradient;
@@ -139,25 +163,30 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
     out.energy->dissipated_power = f.dissipated_power - (apart ? f.force * d_rate : 0.0);
   }
   if (apart) return;
+  pressure.force = f.force;
   if (out.Q != nullptr)
     for (std::size_t i = 0; i < columns; ++i) out.Q[i] = -f.force * g[i];
   if (!want_jacobian) return;
   const ContactRow Hv = times(k.hessian, v);
+  for (std::size_t j = 0; j < columns; ++j) {
+    pressure.by_q[j] = f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j];
+    pressure.by_v[j] = f.dforce_drate * g[j];
+  }
   for (std::size_t i = 0; i < columns; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
       const std::size_t entry = i * columns + j;
       if (out.dQ_dq != nullptr)
-        out.dQ_dq[entry] = -g[i] * (f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j]) -
-                           f.force * k.hessian[entry];
-      if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -f.dforce_drate * g[i] * g[j];
+        out.dQ_dq[entry] = -g[i] * pressure.by_q[j] - f.force * k.hessian[entry];
+      if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -g[i] * pressure.by_v[j];
     }
   }
 }
 
-void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest& out) const {
+void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest& out,
+                                        Pressure& pressure) const {
   const ContactMemory& memory = *in.contact;
   const bool apart = memory.phase == ContactPhase::apart;
-  const bool want_jacobian = !apart && (out.dQ_dq != nullptr || out.dQ_dv != nullptr);
+  const bool want_jacobian = !apart && wants_jacobian(out);
   ContactKinematics k;
   CurvatureKinematics c;
   geometry_->calc_kinematics(in.motion, memory.region, want_jacobian, k, c);
@@ -175,22 +204,26 @@ void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest
     out.energy->dissipated_power = f.dissipated_power - (apart ? released : 0.0);
   }
   if (apart) return;
+  pressure.force = f.force;
   if (out.Q != nullptr)
     for (std::size_t i = 0; i < columns; ++i)
       out.Q[i] = -f.force * g[i] - e.energy_slope * c.gradient[i];
   if (!want_jacobian) return;
   const ContactRow Hv = times(k.hessian, v);
   const double force_slope = here.force_slope(input);
+  for (std::size_t j = 0; j < columns; ++j) {
+    pressure.by_q[j] =
+        f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j] + force_slope * c.gradient[j];
+    pressure.by_v[j] = f.dforce_drate * g[j];
+  }
   for (std::size_t i = 0; i < columns; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
       const std::size_t entry = i * columns + j;
       if (out.dQ_dq != nullptr)
-        out.dQ_dq[entry] = -g[i] * (f.dforce_dpenetration * g[j] + f.dforce_drate * Hv[j] +
-                                    force_slope * c.gradient[j]) -
-                           f.force * k.hessian[entry] -
+        out.dQ_dq[entry] = -g[i] * pressure.by_q[j] - f.force * k.hessian[entry] -
                            c.gradient[i] * (e.force_slope * g[j] + e.energy_bend * c.gradient[j]) -
                            e.energy_slope * c.hessian[entry];
-      if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -f.dforce_drate * g[i] * g[j];
+      if (out.dQ_dv != nullptr) out.dQ_dv[entry] = -g[i] * pressure.by_v[j];
     }
   }
 }
@@ -198,10 +231,12 @@ void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest
 std::vector<Channel> ContactElement::channels() const {
   std::vector<std::string> labels{"apart"};
   labels.insert(labels.end(), region_names_.begin(), region_names_.end());
-  return {{"penetration", "m"},           {"penetration_rate", "m/s"},
-          {"normal_force", "N"},          {"region", "", std::move(labels)},
-          {"contact_point_x", "m"},       {"contact_point_y", "m"},
-          {"tangential_velocity", "m/s"}, {"wall_curvature", "1/m"}};
+  std::vector<Channel> all = {{"penetration", "m"},           {"penetration_rate", "m/s"},
+                              {"normal_force", "N"},          {"region", "", std::move(labels)},
+                              {"contact_point_x", "m"},       {"contact_point_y", "m"},
+                              {"tangential_velocity", "m/s"}, {"wall_curvature", "1/m"}};
+  if (has_friction_) all.push_back({"friction_force", "N"});
+  return all;
 }
 
 void ContactElement::calc_channels(const ForceInput& in, double* values) const {
@@ -221,6 +256,9 @@ void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   values[5] = place.point.y();
   values[6] = place.tangential_velocity;
   values[7] = place.wall_curvature;
+  if (!has_friction_) return;
+  const bool slides = !apart && !law(region).friction.none();
+  values[8] = slides ? calc_friction(in, values[2], place.tangential_velocity).force : 0.0;
 }
 
 }  // namespace yoke

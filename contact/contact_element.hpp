@@ -17,6 +17,13 @@
 // The second term is a small force along the wall, towards where it is softer. F g^T alone would take
 // U_k k' from nowhere: on a closed path a pin could gain energy.
 //
+// Friction (core/friction_law.hpp) acts along the wall at the point of contact, with the row s(q) of
+// contact_geometry.hpp and S = ds/dq, on N = max(F, 0):
+//   v_t = s v - surface speed      Q -= T(N, v_t, z) s^T      z' = f(N, v_t, z) while in contact
+//   dQ/dq -= s^T (T_N dN/dq + T_v (S^T v)^T) + T S            dQ/dv -= s^T (T_N dN/dv + T_v s)
+// What drives a belt does the work T times its speed. z is zero while apart; a release counts what the
+// bristles store as dissipated.
+//
 // The state machine. Between events the formula of one region is continued smoothly, whatever the
 // sign of d; transitions happen at located events only:
 //   apart        no force. `onset` when d of the nearest region crosses zero upwards.
@@ -86,6 +93,10 @@ class ContactElement final : public ForceElement {
 
   void evaluate(const ForceInput& in, const ForceRequest& out) const override;
   bool dissipates() const override { return true; }
+  /// With friction on a surface that moves along itself.
+  bool supplies() const override { return has_friction_ && geometry_->surface_speed() != 0.0; }
+  /// "bristles" [m], if a region's friction law has a state.
+  std::vector<Channel> states() const override;
 
   int contacts() const override { return 1; }
   /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
@@ -115,7 +126,8 @@ class ContactElement final : public ForceElement {
   void calc_events(const ForceInput& in, double* g) const override;
   void handle_event(int event, EventContext& context) const override;
 
-  /// While apart: of the nearest region, region "apart", force 0.
+  /// While apart: of the nearest region, region "apart", forces 0. The last one, friction_force [N] > 0
+  /// against a positive tangential velocity, only with friction.
   std::vector<Channel> channels() const override;
   void calc_channels(const ForceInput& in, double* values) const override;
 
@@ -128,14 +140,27 @@ class ContactElement final : public ForceElement {
     std::array<double, ContactKinematics::columns> gradient;
   };
 
+  /// The normal force, and its derivatives by the coordinates and velocities of both bodies.
+  struct Pressure {
+    double force = 0.0;
+    std::array<double, ContactKinematics::columns> by_q{}, by_v{};
+  };
+
   double touch(const ForceInput& in) const;
   bool leaves_band(const ForceInput& in, const Approach& now) const;
   double margin(const ForceInput& in, const Approach& now, double end) const;
   bool remembers(const ForceInput& in, const ContactMemory& memory) const;
   static bool behind(const ContactMemory& memory);
   bool lifted(const ForceInput& in, const ContactMemory& memory) const;
-  /// The force where the law follows the curvature of the wall.
-  void evaluate_following(const ForceInput& in, const ForceRequest& out) const;
+  /// The normal force, with what the law stores and dissipates; where the law follows the curvature of
+  /// the wall in the second.
+  void evaluate_normal(const ForceInput& in, const ForceRequest& out, Pressure& pressure) const;
+  void evaluate_following(const ForceInput& in, const ForceRequest& out, Pressure& pressure) const;
+  void add_friction(const ForceInput& in, const ForceRequest& out, const Pressure& pressure) const;
+  FrictionOutput calc_friction(const ForceInput& in, double normal_force, double sliding) const;
+  void let_bristles_go(EventContext& context, int region) const;
+  void pass_bristles_on(EventContext& context, int from, int to) const;
+  double friction_energy(const EventContext& context, int region) const;
   const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
   double limit_of(int region) const { return limits_[static_cast<std::size_t>(region)]; }
   std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
@@ -175,6 +200,7 @@ class ContactElement final : public ForceElement {
   std::vector<std::string> region_names_;
   double penetration_scale_ = 0.0;
   double reference_force_;  // [N]
+  bool has_friction_ = false, has_bristles_ = false;
 };
 
 }  // namespace yoke

@@ -72,6 +72,7 @@ void ContactElement::initialise_contacts(EventContext& context) const {
   ContactMemory& memory = *context.contact;
   if (goes_on(context.input, memory)) return;
   memory = {};
+  if (has_bristles_ && context.z != nullptr) context.z[0] = 0.0;
   const int region = geometry_->nearest(context.input.motion);
   const Approach now = calc_approach(context, region);
   if (now.penetration < -touch(context.input)) return;
@@ -226,6 +227,7 @@ void ContactElement::handle_release(EventContext& context, bool pulled_off) cons
   if (!pulled_off && now.rate > 0.0 && leaves_band(context.input, now)) return;
   const double let_go = memory.permanent_set;
   memory.phase = ContactPhase::apart;
+  let_bristles_go(context, region);
   if (pulled_off && now.penetration > let_go + 2.0 * touch(context.input)) {
     memory.release_penetration = now.penetration;
   } else {
@@ -269,6 +271,7 @@ void ContactElement::handle_forget(EventContext& context) const {
 void ContactElement::handle_region_end(EventContext& context) const {
   ContactMemory& memory = *context.contact;
   const double stored_before = calc_law(context.input, memory).stored_energy;
+  const int before = memory.region;
   memory.region = geometry_->successor(context.input.motion, memory.region);
   const Approach now = calc_approach(context, memory.region);
   record(context, "region", memory.region, now);
@@ -285,6 +288,7 @@ void ContactElement::handle_region_end(EventContext& context) const {
   } else if (now.rate < 0.0) {
     end_compression(memory, now.penetration);
   }
+  pass_bristles_on(context, before, memory.region);
   // Laws of different stiffness store different energies at the same penetration.
   if (context.dissipate)
     context.dissipate(stored_before - calc_law(context.input, memory).stored_energy);

@@ -101,7 +101,7 @@ ContactLaw WallLaw::at(const std::string& owner, const Slot& slot, int region, S
                       .high = range.high,
                       .disc_radius = disc_radius,
                       .reference_force = reference_force}),
-          low.dissipation};
+          low.dissipation, law_at(range.mean).friction};
 }
 
 std::vector<ContactLaw> laws_along(const std::string& owner, const Slot& slot, double disc_radius,

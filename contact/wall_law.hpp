@@ -34,13 +34,13 @@ enum class Radii {
 /// from it by interpolation, exact to 1e-11 (contact/laws/graded_law.hpp). The energy U stored in the
 /// contact then depends on the place too, and the force is its gradient: besides F = dU/dd along the
 /// normal, (dU/dk)(dk/dl) along the wall, at the centre of the disc. contact/contact_element.hpp says why.
-/// The dissipative part has to be the same for all curvatures, must keep no dent and have no kink;
+/// Friction is that of the wall's mean curvature. The dissipative part has to be the same for all curvatures, must keep no dent and have no kink;
 /// others, and laws that are not smooth in k, are refused with a ModelError.
 class WallLaw {
  public:
   WallLaw(ContactLaw law) : law_(std::move(law)) {}
-  WallLaw(ElasticLaw elastic, DissipativeLaw dissipation = {})
-      : law_(ContactLaw{std::move(elastic), std::move(dissipation)}) {}
+  WallLaw(ElasticLaw elastic, DissipativeLaw dissipation = {}, FrictionLaw friction = {})
+      : law_(ContactLaw{std::move(elastic), std::move(dissipation), std::move(friction)}) {}
   template <class F>
   requires std::is_invocable_r_v<ContactLaw, const F&, const SlotWall&> WallLaw(
       F of_wall, Radii radii = Radii::local)

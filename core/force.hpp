@@ -94,6 +94,7 @@ struct EventRecord {
 struct EventContext {
   ForceInput input;
   ContactMemory* contact = nullptr;  // to be changed
+  double* z = nullptr;               // [states()] likewise, together with the memory of a contact
   /// [kg] 1/(d A d^T) for a direction d [3k] in the coordinates of the element's bodies, A the
   /// inverse inertia of the constrained mechanism.
   std::function<double(const double* direction)> effective_mass;

@@ -56,6 +56,27 @@ void DiscGeometry::calc_kinematics(const Motion& motion, int region, bool want_h
                                 curvature.hessian);
 }
 
+void DiscGeometry::calc_slip(const Motion& motion, int region, bool want_slope,
+                             SlipKinematics& out) const {
+  constexpr std::size_t columns = RelativePoint::columns, angle_a = 2, angle_b = 5;
+  const RelativePoint::Place place = center_.place(motion);
+  const Touch touch = slot_.touch(region, center_.local(motion, place));
+  const Vec2 n = center_.to_global(motion, touch.normal);
+  const RelativePoint::Row tau = RelativePoint::gradient(perp(n), place);
+  const double rho = slot_.half_width() - touch.distance;
+  out.row = tau;
+  out.row[angle_a] += rho;
+  out.row[angle_b] -= rho;
+  if (!want_slope) return;
+  const RelativePoint::Row g = RelativePoint::gradient(n, place);
+  for (std::size_t j = 0; j < columns; ++j) {
+    const double phi = touch.bend * tau[j] + (j == angle_b ? 1.0 : 0.0);
+    for (std::size_t i = 0; i < columns; ++i) out.slope[columns * i + j] = -g[i] * phi;
+    if (j != angle_a) out.slope[columns * angle_a + j] -= g[j];
+  }
+  out.slope[columns * angle_b + angle_b] += g[angle_b];
+}
+
 ContactPlace DiscGeometry::calc_place(const Motion& motion, int region) const {
   const RelativePoint::Place place = center_.place(motion);
   const Touch touch = slot_.touch(region, center_.local(motion, place));

@@ -4,7 +4,11 @@
 // A disc of body a against a profile of body b (contact/geometry/slot.hpp): a pin in a slot, a disc
 // on a wall. With D the profile's distance and h its half-width, 0 for a wall,
 //   d = D - (h - radius of the disc)
-// and its derivatives as in core/curves/relative_point.hpp.
+// and its derivatives as in core/curves/relative_point.hpp, there also g and tau. The surfaces slide on
+// one another at the point of contact, rho = h - D from the disc's centre along the normal n:
+//   v = tau v + rho (omega_a - omega_b) - surface_speed = row v - surface_speed
+// n turns by phi dq, phi = bend tau + (0 .. 0, 1) with b and along the wall, so
+//   drow/dq = -g^T phi + E,   E[angle_a, j] = -g_j but for j = angle_a,   E[angle_b, angle_b] = g_5
 #pragma once
 
 #include <string>
@@ -30,6 +34,10 @@ class DiscGeometry final : public ContactGeometry {
                        ContactKinematics& out) const override;
   void calc_kinematics(const Motion& motion, int region, bool want_hessian, ContactKinematics& out,
                        CurvatureKinematics& curvature) const override;
+  bool knows_slip() const override { return true; }
+  void calc_slip(const Motion& motion, int region, bool want_slope,
+                 SlipKinematics& out) const override;
+  double surface_speed() const override { return surface_speed_; }
   ContactPlace calc_place(const Motion& motion, int region) const override;
   double boundary(const Motion& motion, int region) const override;
   int successor(const Motion& motion, int region) const override;

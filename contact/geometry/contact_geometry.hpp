@@ -30,6 +30,13 @@ struct CurvatureKinematics {
   std::array<double, ContactKinematics::columns * ContactKinematics::columns> hessian{};
 };
 
+/// How the surfaces slide on one another, over the same q: a's relative to b's along t = perp(normal),
+/// v = row dq/dt - surface_speed.
+struct SlipKinematics {
+  std::array<double, ContactKinematics::columns> row{};
+  std::array<double, ContactKinematics::columns * ContactKinematics::columns> slope{};  // drow/dq
+};
+
 /// Where a region is, or would be, touched.
 struct ContactPlace {
   Vec2 point{0.0, 0.0};              // [m] on the wall, global frame
@@ -57,6 +64,15 @@ class ContactGeometry {
     calc_kinematics(motion, region, want_hessian, out);
     curvature = {};
   }
+  /// Whether calc_slip() is there: without it there is no friction.
+  virtual bool knows_slip() const { return false; }
+  /// `row`, and its derivative if requested.
+  virtual void calc_slip(const Motion& /*motion*/, int /*region*/, bool /*want_slope*/,
+                         SlipKinematics& out) const {
+    out = {};
+  }
+  /// [m/s] of b's wall along itself, along t: a belt.
+  virtual double surface_speed() const { return 0.0; }
   virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;
   /// [m] crosses zero upwards where the region ends; about the distance beyond its end.
   virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }

@@ -25,7 +25,10 @@ double ElasticLaw::penetration_at(double force) const {
 }
 
 std::string ContactLaw::name() const {
-  return dissipation.none() ? elastic.name() : elastic.name() + " with " + dissipation.name();
+  std::string name = elastic.name();
+  if (!dissipation.none()) name += " with " + dissipation.name();
+  if (!friction.none()) name += (dissipation.none() ? " with " : " and ") + friction.name();
+  return name;
 }
 
 }  // namespace yoke

@@ -7,6 +7,7 @@
 //   elastic part      F_e(d), dF_e/dd, U(d) = int F_e dd          d penetration [m], > 0 in contact
 //   dissipative part  F(d, d', memory; F_e), d' rate [m/s], > 0 while approaching
 //   ledger            F d' = dS/dt + D    at every instant, S [J] stored energy, D [W] dissipated
+//   friction          along the wall, core/friction_law.hpp: it sees N = max(F, 0)
 //
 // Laws need no base class: an elastic law is anything callable with a penetration, a dissipative
 // law anything callable with (ContactInput, ElasticLaw). A law declares what it needs from the
@@ -21,6 +22,7 @@
 #include <utility>
 
 #include <yoke/core/contact_memory.hpp>
+#include <yoke/core/friction_law.hpp>
 
 namespace yoke {
 
@@ -310,10 +312,12 @@ class DissipativeLaw {
   Release release_ = Release::at_zero_force;
 };
 
-/// The law of one contact: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}.
+/// The law of one contact: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}, with friction
+/// ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}, BrownMcPhee{.mu = 0.1, .mu_static = 0.12}}.
 struct ContactLaw {
   ElasticLaw elastic;
   DissipativeLaw dissipation{};
+  FrictionLaw friction{};
 
   ContactOutput evaluate(const ContactInput& in) const { return dissipation.evaluate(in, elastic); }
   double penetration_limit() const { return elastic.limit(); }  ///< [m]

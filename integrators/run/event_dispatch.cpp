@@ -22,6 +22,7 @@ EventContext ElementEvents::context_of(const ForceSlot& slot) {
   return {
       .input = system.force_input(slot),
       .contact = state_.contacts.data() + slot.contacts,
+      .z = state_.z.data() + slot.z,
       .effective_mass = [this,
                          &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
       .acceleration = local_acceleration_.data(),

@@ -215,12 +215,16 @@ inline std::vector<AnyContact> every_contact(bool mirrored = false) {
 
 /// Hertz' law of every wall's radius, with a damping factor: it follows the radius where that changes,
 /// and goes through flat places smoothly. An edge counts as round with a radius of 1 mm.
-inline WallLaw hertz_of_wall(double disc_radius, double damping) {
+inline auto hertz_law_of_wall(double disc_radius, double damping) {
   return [disc_radius, damping](const SlotWall& wall) {
     const double disc = disc_radius > 0.0 ? 1.0 / disc_radius : 200.0;
     const double relative = disc + std::min(wall.curvature, 1e3);
     return ContactLaw{PowerLaw{5e8 / std::sqrt(relative), 1.5}, HuntCrossley{damping}};
   };
+}
+
+inline WallLaw hertz_of_wall(double disc_radius, double damping) {
+  return hertz_law_of_wall(disc_radius, damping);
 }
 
 }  // namespace yoke::tests

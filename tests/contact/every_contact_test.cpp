@@ -12,6 +12,8 @@
 
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
+#include <yoke/contact/laws/friction/brown_mcphee.hpp>
+#include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/tests/messages.hpp>
 
 #include <yoke/tests/contact/every_contact.hpp>
@@ -42,6 +44,23 @@ std::vector<ContactMode> modes_for(const AnyContact& contact) {
           {"loading", dent},
           {"unloading", dent, ContactPhase::restituting},
           {"following the radius", hertz_of_wall(contact.radius, 0.32)}};
+}
+
+/// The same with friction, without a state and with one.
+std::vector<ContactMode> friction_modes_for(const AnyContact& contact) {
+  const ContactLaw plain{per_mm(49140, 1.10), HuntCrossley{0.32}};
+  const BrownMcPhee sliding{.mu = 0.3, .mu_static = 0.4, .threshold = 0.5, .viscous = 2.0};
+  const LuGre bristles{
+      .mu = 0.3, .mu_static = 0.4, .stribeck_velocity = 0.5, .stiffness = 1e5, .damping = 30.0};
+  const WallLaw graded = [hertz = hertz_law_of_wall(contact.radius, 0.32),
+                          sliding](const SlotWall& wall) {
+    ContactLaw law = hertz(wall);
+    law.friction = sliding;
+    return law;
+  };
+  return {{"sliding", ContactLaw{plain.elastic, plain.dissipation, sliding}},
+          {"with bristles", ContactLaw{plain.elastic, plain.dissipation, bristles}},
+          {"sliding, following the radius", graded}};
 }
 
 /// One contact near one of its places, and random states there: both bodies anywhere, with any
@@ -92,6 +111,7 @@ class Bench {
     }
     scene.touch();
     scene.memory.approach_velocity = 0.21;
+    scene.z = 2e-5 * uniform();
     if (mode_.phase != ContactPhase::restituting) return;
     scene.memory.phase = mode_.phase;
     scene.memory.largest_penetration = 1.1 * depth;
@@ -164,13 +184,62 @@ std::pair<double, double> derivative_errors(Scene& scene, double depth) {
   return {by_q, by_v};
 }
 
+/// The same of the derivatives of the element's state, and of those by it; 0 if it has none.
+double state_derivative_error(Scene& scene, double depth) {
+  if (scene.element->states().empty()) return 0.0;
+  Row6 dQ_dz{}, dz_dq{}, dz_dv{};
+  double dz_dz = 0.0;
+  scene.element->evaluate(
+      scene.input(),
+      {.dQ_dz = dQ_dz.data(), .dz_dq = dz_dq.data(), .dz_dv = dz_dv.data(), .dz_dz = &dz_dz});
+  const auto largest = [](const Row6& row) {
+    double size = 0.0;
+    for (const double x : row) size = std::max(size, std::abs(x));
+    return size;
+  };
+  const auto rate = [&scene] {
+    double z_dot = 0.0;
+    scene.element->evaluate(scene.input(), {.z_dot = &z_dot});
+    return z_dot;
+  };
+  const Row6 q = scene.q(), v = scene.v();
+  const double z = scene.z;
+  const auto with_z = [&](double x) { return scene.z = z + x; };
+  const Row6 forces = slope(1e-7, [&](double x) { return with_z(x), scene.Q(); });
+  double worst =
+      std::abs(slope(1e-7, [&](double x) { return with_z(x), Row6{rate()}; })[0] - dz_dz) /
+      std::abs(dz_dz);
+  scene.z = z;
+  for (std::size_t j = 0; j < 6; ++j) {
+    worst = std::max(worst, std::abs(forces[j] - dQ_dz[j]) / largest(dQ_dz));
+    const double step = (j % 3 == 2 ? 5.0 : 1.0) * 1e-2 * depth;
+    const double of_q = slope(step, [&](double x) {
+      Row6 moved = q;
+      moved[j] += x;
+      scene.set(moved, v);
+      return Row6{rate()};
+    })[0];
+    const double of_v = slope(1e-4, [&](double x) {
+      Row6 moved = v;
+      moved[j] += x;
+      scene.set(q, moved);
+      return Row6{rate()};
+    })[0];
+    scene.set(q, v);
+    worst = std::max({worst, std::abs(of_q - dz_dq[j]) / largest(dz_dq),
+                      std::abs(of_v - dz_dv[j]) / largest(dz_dv)});
+  }
+  return worst;
+}
+
 /// Calls f(bench, contact, mode) for every contact at every place, in every mode.
 template <class F>
-void for_every_place(F f, Grounded grounded = Grounded::neither) {
+void for_every_place(F f, Grounded grounded = Grounded::neither,
+                     std::vector<ContactMode> (*modes)(const AnyContact&) = modes_for) {
   unsigned seed = 11;
   for (const AnyContact& contact : every_contact())
     for (const Vec2& near : contact.near)
-      for (const ContactMode& mode : modes_for(contact)) {
+      for (const ContactMode& mode : modes(contact)) {
         Bench bench(contact, near, mode, grounded, ++seed);
         INFO(contact.name << " near " << near.x() << ", " << near.y() << ", " << mode.name);
         f(bench, contact);
@@ -201,6 +270,68 @@ TEST_CASE("every contact: derivatives are exact at 1000 states near each place, 
     CHECK(by_q < 1e-6);
     CHECK(by_v < 1e-9);
   });
+}
+
+TEST_CASE("every contact with friction: derivatives are exact, by the state too") {
+  for (const Grounded grounded : {Grounded::neither, Grounded::shape, Grounded::disc})
+    for_every_place(
+        [](Bench& bench, const AnyContact&) {
+          double by_q = 0.0, by_v = 0.0, by_z = 0.0;
+          for (int i = 0; i < 100; ++i) {
+            bench.draw(2e-5);
+            // At rest, bristles have a corner: differences must not reach over it.
+            const double sliding = std::abs(bench.scene.channel_values()[6]);
+            if (!bench.scene.element->states().empty() && sliding < 5e-3) continue;
+            const auto [q, v] = derivative_errors(bench.scene, 2e-5);
+            by_q = std::max(by_q, q), by_v = std::max(by_v, v);
+            by_z = std::max(by_z, state_derivative_error(bench.scene, 2e-5));
+          }
+          CHECK(by_q < 1e-6);
+          CHECK(by_v < 1e-7);
+          CHECK(by_z < 1e-6);
+        },
+        grounded, friction_modes_for);
+}
+
+TEST_CASE(
+    "every contact with friction: along the wall at the point of contact, against the sliding") {
+  for_every_place(
+      [](Bench& bench, const AnyContact& contact) {
+        for (int i = 0; i < 20; ++i) {
+          bench.draw(2.7e-5);
+          Scene& scene = bench.scene;
+          const Row6 q = scene.q(), v = scene.v(), Q = scene.Q();
+          const auto values = scene.channel_values();
+          const double F = values[2], T = values[8];
+          CHECK(Q[0] == Approx(-Q[3]).epsilon(1e-12));
+          CHECK(Q[1] == Approx(-Q[4]).epsilon(1e-12));
+          const Vec2 on_a(Q[0], Q[1]), point(values[4], values[5]);
+          const Vec2 normal = (point - bench.center()) / (contact.radius - values[0]);
+          CHECK(-normal.dot(on_a) == Approx(F).epsilon(1e-9));
+          CHECK(std::abs(-perp(normal).dot(on_a) - T) < 2e-4 * F);  // the radius may change
+          const Vec2 arm_a = point - Vec2(q[0], q[1]), arm_b = point - Vec2(q[3], q[4]);
+          CHECK(std::abs(Q[2] - cross(arm_a, on_a)) < 1e-5 * F);
+          CHECK(std::abs(Q[5] + cross(arm_b, on_a)) < 1e-5 * F);
+          if (scene.element->states().empty()) CHECK(T * values[6] > 0.0);
+          // What the bodies lose is stored or dissipated.
+          double power = 0.0;
+          for (std::size_t j = 0; j < 6; ++j) power += Q[j] * v[j];
+          double z_dot = 0.0;
+          scene.element->evaluate(scene.input(), {.z_dot = &z_dot});
+          const double z = scene.z, dissipated = scene.energy().dissipated_power;
+          const Row6 rates = slope(1e-7, [&](double t) {
+            Row6 at = q;
+            for (std::size_t j = 0; j < 6; ++j) at[j] += t * v[j];
+            scene.z = z + t * z_dot;
+            scene.set(at, v);
+            return Row6{scene.energy().stored};
+          });
+          scene.set(q, v);
+          scene.z = z;
+          CHECK(std::abs(power + rates[0] + dissipated) < 1e-6 * F);
+        }
+      },
+      Grounded::neither, friction_modes_for);
 }
 
 TEST_CASE("every contact: derivatives are exact where one of the bodies is the ground") {

@@ -24,16 +24,18 @@ struct Scene {
   std::vector<BodyMotion> bodies = std::vector<BodyMotion>(3);
   std::vector<Body> inertia = std::vector<Body>(3);
   ContactMemory memory;
+  double z = 0.0;  // of an element with one state
   double t = 0.0;
   Row6 acceleration{};
   double effective_mass = 0.83;
   Scales scales{.length = 0.1, .time = 1.0};  // of a mechanism as large as a hand
   std::vector<EventRecord> records;
+  double dissipated = 0.0;  // [J] at events
   std::string failure;
 
   Motion motion() const { return {t, bodies, inertia}; }
   ForceInput input() const {
-    return {.motion = motion_ = motion(), .contact = &memory, .scales = scales};
+    return {.motion = motion_ = motion(), .z = &z, .contact = &memory, .scales = scales};
   }
 
   /// Coordinates of both bodies in the order of the element's blocks.
@@ -56,8 +58,10 @@ struct Scene {
   EventContext context() {
     return {.input = input(),
             .contact = &memory,
+            .z = &z,
             .effective_mass = [this](const double*) { return effective_mass; },
             .acceleration = acceleration.data(),
+            .dissipate = [this](double joules) { dissipated += joules; },
             .record = [this](EventRecord event) { records.push_back(std::move(event)); },
             .fail = [this](std::string why) { failure = std::move(why); }};
   }

@@ -347,6 +347,7 @@ void Statics::find_contacts(const std::function<double(const double*)>& effectiv
     EventContext context{
         .input = system_.force_input(f),
         .contact = state_.contacts.data() + f.contacts,
+        .z = state_.z.data() + f.z,
         .effective_mass =
             effective_mass ? effective_mass
                            : [this, &f](const double* d) { return dynamics_.effective_mass(f, d); },

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// All friction laws by name, with formula, source and parameters.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <yoke/core/friction_law.hpp>
+
+namespace yoke {
+
+struct FrictionParameter {
+  std::string name;
+  std::string unit;          // "" for a number without one
+  std::string default_text;  // "" if it must be given
+};
+
+/// Description of a law.
+struct FrictionNote {
+  std::string name;  // kebab-case, as make_friction() takes it
+  std::string title;
+  std::string formula;
+  std::string source;
+  std::string caveat;
+  std::vector<FrictionParameter> parameters;
+};
+
+/// Every law, in the order of the literature.
+const std::vector<FrictionNote>& friction_catalog();
+
+/// Throws ModelError that lists the names.
+const FrictionNote& find_friction(std::string_view name);
+
+/// The law of that name with parameters in SI units; those not named have their defaults, and
+/// mu_static is mu. Throws ModelError for an unknown law or parameter, a missing mu, a value out of
+/// range.
+FrictionLaw make_friction(std::string_view name,
+                          const std::vector<std::pair<std::string, double>>& parameters);
+
+}  // namespace yoke
