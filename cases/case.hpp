@@ -69,6 +69,9 @@ struct Case {
   /// Optional: numbers of a run beside what they should be. Called for runs that completed, with at
   /// least two rows of samples.
   std::function<std::vector<Check>(const Parameters&, const Model&, const Result&)> checks{};
+  /// Whether `checks` and `law_checks` hold with friction too. If not, a run with friction is checked for
+  /// its energy alone.
+  bool checks_hold_with_friction = false;
   /// Optional: those of them that depend on the laws of the walls. Called under the same conditions.
   std::function<std::vector<Check>(const Parameters&, const WallLaws& laws, const Result&)>
       law_checks{};
@@ -95,6 +98,12 @@ const Case& find_case(std::string_view name);
 /// for one that is not needed.
 std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
                                      const std::vector<std::string>& laws);
+
+/// The same laws, each with friction (contact_choice.hpp) if that is not "". Throws ModelError, also if
+/// there is no contact for it.
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws,
+                                     const std::string& friction);
 
 /// The mechanism under one law: a name or specification (see contact_choice.hpp), "" for the base
 /// law of the case. Throws ModelError.

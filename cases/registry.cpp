@@ -111,6 +111,19 @@ std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters
   return choose_laws(c.contact, laws);
 }
 
+std::vector<std::string> choose_laws(const Case& c, const Parameters& parameters,
+                                     const std::vector<std::string>& laws,
+                                     const std::string& friction) {
+  std::vector<std::string> chosen = choose_laws(c, parameters, laws);
+  if (friction.empty()) return chosen;
+  if (!c.contact.walls || c.contact.walls(parameters).empty())
+    throw ModelError(fmt::format("--friction {}: with these parameters case '{}' has no contacts",
+                                 friction, c.name));
+  if (chosen.empty()) chosen.emplace_back();
+  for (std::string& law : chosen) law = with_friction(c.contact, parameters, law, friction);
+  return chosen;
+}
+
 Model make_model(const Case& c, const Parameters& parameters, std::string_view law) {
   return c.model(parameters, make_laws(c.contact, parameters, law));
 }
@@ -118,11 +131,12 @@ Model make_model(const Case& c, const Parameters& parameters, std::string_view l
 std::vector<Check> run_checks(const Case& c, const Parameters& parameters, std::string_view law,
                               const Model& model, const Result& run) {
   if (!run.summary.ok() || run.samples.rows() < 2) return {};
+  const WallLaws laws = make_laws(c.contact, parameters, law);
+  if (laws.have_friction() && !c.checks_hold_with_friction) return {energy_check(run)};
   std::vector<Check> checks;
   if (c.checks) checks = c.checks(parameters, model, run);
   if (!c.law_checks) return checks;
-  for (Check& check : c.law_checks(parameters, make_laws(c.contact, parameters, law), run))
-    checks.push_back(std::move(check));
+  for (Check& check : c.law_checks(parameters, laws, run)) checks.push_back(std::move(check));
   return checks;
 }
 

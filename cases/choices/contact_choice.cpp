@@ -13,6 +13,7 @@
 #include <yoke/contact/laws/catalog/calibrated.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/contact/laws/catalog/elastic_catalog.hpp>
+#include <yoke/contact/laws/catalog/friction_catalog.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke::cases {
@@ -66,6 +67,7 @@ bool lists(const Notes& notes, std::string_view name) {
 }
 bool is_elastic(std::string_view name) { return lists(elastic_catalog(), name); }
 bool is_dissipative(std::string_view name) { return lists(dissipative_catalog(), name); }
+bool is_friction(std::string_view name) { return lists(friction_catalog(), name); }
 
 /// Ends the message about an unknown name. All names may be near, only those of the case are
 /// listed.
@@ -97,9 +99,16 @@ Texts dissipative_names() {
   return names;
 }
 
+Texts friction_names() {
+  Texts names;
+  for (const FrictionNote& note : friction_catalog()) names.push_back(note.name);
+  return names;
+}
+
 [[noreturn]] void throw_unknown(const ContactChoice& contact, std::string_view name) {
   Texts catalogue = elastic_names();
   for (const std::string& other : dissipative_names()) catalogue.push_back(other);
+  for (const std::string& other : friction_names()) catalogue.push_back(other);
   throw ModelError(fmt::format("unknown law '{}'{}", name,
                                hint(name, names_of(contact), catalogue,
                                     ", and the laws of 'yoke law list', as hertz+flores:e=0.8")));
@@ -218,11 +227,51 @@ DissipativeLaw dissipative_of(const Part& part) {
   return make_dissipative(part.name, a);
 }
 
+FrictionLaw friction_of(const Part& part) {
+  const FrictionNote& note = find_friction(part.name);
+  Texts known;
+  for (const FrictionParameter& p : note.parameters) known.push_back(p.name);
+  std::vector<std::pair<std::string, double>> values;
+  for (const auto& [name, value] : arguments_of(part.name, part.arguments)) {
+    const auto parameter = std::ranges::find(note.parameters, name, &FrictionParameter::name);
+    if (parameter == note.parameters.end()) throw_argument(part.name, name, known);
+    values.emplace_back(
+        name, parse_in(fmt::format("friction '{}': {}", part.name, name), value, parameter->unit));
+  }
+  return make_friction(part.name, values);
+}
+
 // ---- specifications
+
+/// Where the friction begins in a specification for one wall, behind its "+" if there is more before
+/// it; npos if there is none.
+std::size_t find_friction_part(std::string_view text) {
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t plus = find_plus(text.substr(begin));
+    if (is_friction(part_of(text.substr(begin, plus)).name)) return begin;
+    if (plus == std::string_view::npos) return plus;
+    begin += plus + 1;
+  }
+}
+
+ContactLaw make_normal_law(const ContactChoice& contact, const Parameters& parameters,
+                           const Wall& wall, std::string_view text);
 
 /// The law of one wall.
 ContactLaw make_law(const ContactChoice& contact, const Parameters& parameters, const Wall& wall,
                     std::string_view text) {
+  const std::size_t friction = find_friction_part(text);
+  if (friction == std::string_view::npos) return make_normal_law(contact, parameters, wall, text);
+  const std::string_view before = text.substr(0, friction > 0 ? friction - 1 : 0);
+  ContactLaw law = make_normal_law(contact, parameters, wall, before);
+  law.friction = friction_of(part_of(text.substr(friction)));
+  return law;
+}
+
+/// Its part along the normal.
+ContactLaw make_normal_law(const ContactChoice& contact, const Parameters& parameters,
+                           const Wall& wall, std::string_view text) {
   const auto base = [&] { return base_law(contact).make(parameters, wall); };
   const std::size_t plus = find_plus(text);
   const Part first = part_of(text.substr(0, plus));
@@ -251,9 +300,17 @@ ContactLaw make_law(const ContactChoice& contact, const Parameters& parameters, 
                                  hint(first.name, names_of(contact), elastic_names(),
                                       ", and the elastic laws of 'yoke law list'")));
   }
-  if (!is_dissipative(second.name))
-    throw ModelError(fmt::format("unknown dissipative law '{}'{}", second.name,
-                                 suggestion(second.name, dissipative_names())));
+  if (!is_dissipative(second.name)) {
+    Texts known = dissipative_names();
+    for (const std::string& name : friction_names()) known.push_back(name);
+    throw ModelError(fmt::format("unknown dissipative law, or friction law, '{}'{}", second.name,
+                                 suggestion(second.name, known)));
+  }
+  if (find_plus(second.arguments) != std::string_view::npos)
+    throw ModelError(fmt::format(
+        "unknown friction law '{}'{}",
+        part_of(std::string_view(second.arguments).substr(find_plus(second.arguments) + 1)).name,
+        suggestion("", friction_names())));
   return {bare_name ? named->make(parameters, wall).elastic : elastic_of(first, wall),
           dissipative_of(second)};
 }
@@ -286,6 +343,13 @@ ByWall split_by_wall(std::string_view text, const std::vector<Wall>& walls) {
   return by_wall;
 }
 
+/// The text for one wall of what was split.
+std::string_view of_wall(const ByWall& by_wall, std::string_view wall) {
+  for (const auto& [name, text] : by_wall.single)
+    if (name == wall) return text;
+  return by_wall.all;
+}
+
 /// A first piece such as "iner=hertz" is meant for a wall that does not exist.
 void check_wall_names(const std::string& all, const std::vector<Wall>& walls) {
   const std::size_t equals = all.find('='), colon = all.find(':');
@@ -300,6 +364,10 @@ void check_wall_names(const std::string& all, const std::vector<Wall>& walls) {
 
 void WallLaws::set(std::string wall, ContactLaw law) {
   laws_.emplace_back(std::move(wall), std::move(law));
+}
+
+bool WallLaws::have_friction() const {
+  return std::ranges::any_of(laws_, [](const auto& each) { return !each.second.friction.none(); });
 }
 
 const ContactLaw& WallLaws::operator[](std::string_view wall) const {
@@ -319,7 +387,7 @@ std::vector<std::string> choose_laws(const ContactChoice& contact,
   for (const std::string& law : laws) {
     const bool specification = law.find_first_of(":+=,") != std::string::npos;
     if (!specification && find_named(contact, law) == nullptr && !is_elastic(law) &&
-        !is_dissipative(law))
+        !is_dissipative(law) && !is_friction(law))
       throw_unknown(contact, law);
     if (std::ranges::find(chosen, law) == chosen.end()) chosen.push_back(law);
   }
@@ -333,13 +401,33 @@ WallLaws make_laws(const ContactChoice& contact, const Parameters& parameters,
   const std::vector<Wall> walls = contact.walls(parameters);
   const ByWall by_wall = split_by_wall(specification, walls);
   check_wall_names(by_wall.all, walls);
-  for (const Wall& wall : walls) {
-    const auto own =
-        std::ranges::find(by_wall.single, wall.name, &std::pair<std::string, std::string>::first);
-    laws.set(wall.name, make_law(contact, parameters, wall,
-                                 own != by_wall.single.end() ? own->second : by_wall.all));
-  }
+  for (const Wall& wall : walls)
+    laws.set(wall.name, make_law(contact, parameters, wall, of_wall(by_wall, wall.name)));
   return laws;
+}
+
+std::string with_friction(const ContactChoice& contact, const Parameters& parameters,
+                          std::string_view specification, std::string_view friction) {
+  const std::vector<Wall> walls = contact.walls(parameters);
+  const ByWall laws = split_by_wall(specification, walls), added = split_by_wall(friction, walls);
+  check_wall_names(added.all, walls);
+  const auto joined = [&](std::string_view law, std::string_view with) {
+    const std::string name = part_of(with).name;
+    if (with.empty() || with == "none") return std::string(law);
+    if (!is_friction(name))
+      throw ModelError(fmt::format("--friction: unknown friction law '{}'{}", name,
+                                   suggestion(name, friction_names())));
+    if (find_friction_part(law) != std::string_view::npos)
+      throw ModelError(fmt::format("--friction {}: the law '{}' has friction already", with, law));
+    return fmt::format("{}{}{}", law, law.empty() ? "" : "+", with);
+  };
+  std::string text = joined(laws.all, added.all);
+  for (const Wall& wall : walls) {
+    const std::string_view law = of_wall(laws, wall.name), with = of_wall(added, wall.name);
+    const bool own = law.data() != laws.all.data() || with.data() != added.all.data();
+    if (own) text += fmt::format("{}{}={}", text.empty() ? "" : ",", wall.name, joined(law, with));
+  }
+  return text;
 }
 
 std::vector<std::string> folder_names(const std::vector<std::string>& specifications) {

@@ -9,6 +9,8 @@
 //                               johnson+hunt-crossley:alpha=0.32s/m
 //                               power:K=1e8,n=1.5+flores:restitution=0.8
 //   ELASTIC or DISSIPATIVE      the other part is that of the case's base law: hertz
+//   SPEC+FRICTION               any of these with a friction law, or FRICTION alone for the base law:
+//                               johnson+brown-mcphee:mu=0.1,mu_static=0.12
 //   SPEC,WALL=SPEC,WALL=SPEC    a law for all walls (optional if each is named), then for single
 //                               ones: johnson,outer=hertz+none
 //
@@ -16,7 +18,8 @@
 // Arguments of an elastic law: reading, length, material, pin_material, wall_material
 // (material=steel, material=E=207GPa/nu=0.3); of power: K, n, unit. Arguments of a dissipative law:
 // those that `yoke law show NAME` lists, `e` for restitution, and `delivers`, the restitution that
-// a free impact is to deliver (contact/laws/catalog/calibrated.hpp).
+// a free impact is to deliver (contact/laws/catalog/calibrated.hpp). Those of a friction law are
+// likewise listed by `yoke law show NAME`.
 #pragma once
 
 #include <functional>
@@ -45,6 +48,7 @@ class WallLaws {
   /// Throws ModelError that lists the walls.
   const ContactLaw& operator[](std::string_view wall) const;
   const std::vector<std::pair<std::string, ContactLaw>>& all() const { return laws_; }
+  bool have_friction() const;
 
  private:
   std::vector<std::pair<std::string, ContactLaw>> laws_;
@@ -71,6 +75,12 @@ std::vector<std::string> choose_laws(const ContactChoice& contact,
 /// unknown name, wall or argument, a missing restitution, a value out of range.
 WallLaws make_laws(const ContactChoice& contact, const Parameters& parameters,
                    std::string_view specification);
+
+/// A specification with friction put into it, "" for the base law. `friction` is FRICTION for all walls,
+/// or FRICTION,WALL=FRICTION, "none" for none: the same commas as in a specification. Throws ModelError
+/// for an unknown law or wall.
+std::string with_friction(const ContactChoice& contact, const Parameters& parameters,
+                          std::string_view specification, std::string_view friction);
 
 /// A folder for each specification: its text with '_' for what shells and file systems take for
 /// their own, and a number behind it where two would be equal.

@@ -73,7 +73,8 @@ void print_law_help(const Case& c) {
   }
   fmt::print(
       "  or any law of 'yoke law list', elastic+dissipative with arguments, also wall by wall\n"
-      "  ({}): --law johnson+flores:e=0.8, --law hertz, --law johnson,{}=power:K=1e8,n=1.5\n",
+      "  ({}): --law johnson+flores:e=0.8, --law hertz, --law johnson,{}=power:K=1e8,n=1.5;\n"
+      "  with friction: --friction brown-mcphee:mu=0.1,mu_static=0.12\n",
       fmt::join(walls, ", "), walls.back());
 }
 
@@ -117,6 +118,10 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
           "Contact law: a name of the case, or laws of 'yoke law list' with arguments; repeatable")
       ->type_name("LAW")
       ->allow_extra_args(false);
+  verb.add_option("--friction", o.friction,
+                  "Friction in every contact, a friction law of 'yoke law list' with arguments: "
+                  "brown-mcphee:mu=0.1,mu_static=0.12; also wall by wall: SPEC,WALL=SPEC")
+      ->type_name("FRICTION");
   verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")
       ->type_name("N")
       ->capture_default_str();
@@ -151,6 +156,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("case", o.case_name);
   visit("set", o.settings);
   visit("laws", o.laws);
+  visit("friction", o.friction);
   visit("samples", o.samples);
   visit("relative_tolerance", o.relative_tolerance);
   visit("formulation", o.formulation);
@@ -166,7 +172,8 @@ void visit_options(Options& o, Visit&& visit) {
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
 bool added_later(std::string_view option) {
-  return option == "spectral_radius" || option == "no_report" || option == "paper";
+  return option == "friction" || option == "spectral_radius" || option == "no_report" ||
+         option == "paper";
 }
 
 }  // namespace
@@ -217,6 +224,7 @@ std::string command_of(const RequestOptions& o) {
   std::string text = "yoke run " + quoted(o.case_name);
   for (const std::string& setting : o.settings) text += " --set " + quoted(setting);
   for (const std::string& law : o.laws) text += " --law " + quoted(law);
+  if (!o.friction.empty()) text += " --friction " + quoted(o.friction);
   if (o.relative_tolerance != defaults.relative_tolerance)
     text += fmt::format(" --rtol {:g}", o.relative_tolerance);
   if (!o.formulation.empty()) text += " --formulation " + quoted(o.formulation);
@@ -234,7 +242,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
   const Parameters parameters(c.parameters, o.settings);
-  const std::vector<std::string> laws = choose_laws(c, parameters, o.laws);
+  const std::vector<std::string> laws = choose_laws(c, parameters, o.laws, o.friction);
   for (const std::string& law : laws) make_laws(c.contact, parameters, law);  // says what is wrong
   check_checkpoint_interval(checked_interval(o.checkpoint), c.duration(parameters));
   const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -19,6 +19,7 @@ struct RequestOptions {
   std::vector<std::string> settings;
   std::string output;
   std::vector<std::string> laws;
+  std::string friction{};
   int samples = 4001;
   double relative_tolerance = 1e-10;
   std::string formulation;

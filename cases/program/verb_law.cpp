@@ -16,6 +16,7 @@
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/contact/laws/catalog/elastic_catalog.hpp>
+#include <yoke/contact/laws/catalog/friction_catalog.hpp>
 #include <yoke/contact/laws/catalog/power_fit.hpp>
 #include <yoke/core/error.hpp>
 
@@ -37,6 +38,9 @@ int list_laws() {
   }
   fmt::print("\nDissipative laws (--dissipation NAME)\n");
   for (const DissipativeNote& note : dissipative_catalog())
+    fmt::print("  {:<26} {}\n", note.name, note.title);
+  fmt::print("\nFriction laws (--friction NAME)\n");
+  for (const FrictionNote& note : friction_catalog())
     fmt::print("  {:<26} {}\n", note.name, note.title);
   fmt::print("\n'yoke law show NAME' tells more about one.\n");
   return exit_ok;
@@ -86,6 +90,17 @@ void show(const DissipativeNote& note) {
   for (const auto& [name, range] : note.parameters) fmt::print("    {:<14} {}\n", name, range);
 }
 
+void show(const FrictionNote& note) {
+  fmt::print("{} (friction): {}\n", note.name, note.title);
+  print_field("formula", note.formula);
+  print_field("source", note.source);
+  print_field("caveats", note.caveat);
+  fmt::print("  parameters\n");
+  for (const FrictionParameter& p : note.parameters)
+    fmt::print("    {:<18} {:<8} {}\n", p.name, p.unit,
+               p.default_text.empty() ? "must be given" : "default " + p.default_text);
+}
+
 // A name may be that of an elastic and of a dissipative law: both are shown.
 int show(const std::string& name) {
   std::vector<std::string> known;
@@ -100,6 +115,12 @@ int show(const std::string& name) {
     known.push_back(note.name);
     if (note.name != name) continue;
     if (found) fmt::print("\n");
+    show(note);
+    found = true;
+  }
+  for (const FrictionNote& note : friction_catalog()) {
+    known.push_back(note.name);
+    if (note.name != name) continue;
     show(note);
     found = true;
   }
