@@ -31,6 +31,9 @@ Case cpva_case();
 Case geneva_case();
 Case gear_selector_case();
 Case cam_follower_case();
+Case block_on_incline_case();
+Case belt_oscillator_case();
+Case rolling_disc_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -64,6 +67,10 @@ const std::vector<Case>& case_registry() {
       geneva_case(),
       gear_selector_case(),
       cam_follower_case(),
+      // friction
+      block_on_incline_case(),
+      belt_oscillator_case(),
+      rolling_disc_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),

@@ -243,16 +243,14 @@ FrictionLaw friction_of(const Part& part) {
 
 // ---- specifications
 
-/// Where the friction begins in a specification for one wall, behind its "+" if there is more before
-/// it; npos if there is none.
-std::size_t find_friction_part(std::string_view text) {
+/// Where the friction begins in a specification for one wall, behind its last "+" if it has one; npos if
+/// there is none. A case may name a law after its friction.
+std::size_t find_friction_part(const ContactChoice& contact, std::string_view text) {
   std::size_t begin = 0;
-  while (true) {
-    const std::size_t plus = find_plus(text.substr(begin));
-    if (is_friction(part_of(text.substr(begin, plus)).name)) return begin;
-    if (plus == std::string_view::npos) return plus;
-    begin += plus + 1;
-  }
+  for (std::size_t plus = 0; plus != std::string_view::npos; plus = find_plus(text.substr(begin)))
+    begin += plus > 0 ? plus + 1 : 0;
+  if (begin == 0 && find_named(contact, text) != nullptr) return std::string_view::npos;
+  return is_friction(part_of(text.substr(begin)).name) ? begin : std::string_view::npos;
 }
 
 ContactLaw make_normal_law(const ContactChoice& contact, const Parameters& parameters,
@@ -261,7 +259,7 @@ ContactLaw make_normal_law(const ContactChoice& contact, const Parameters& param
 /// The law of one wall.
 ContactLaw make_law(const ContactChoice& contact, const Parameters& parameters, const Wall& wall,
                     std::string_view text) {
-  const std::size_t friction = find_friction_part(text);
+  const std::size_t friction = find_friction_part(contact, text);
   if (friction == std::string_view::npos) return make_normal_law(contact, parameters, wall, text);
   const std::string_view before = text.substr(0, friction > 0 ? friction - 1 : 0);
   ContactLaw law = make_normal_law(contact, parameters, wall, before);
@@ -417,7 +415,7 @@ std::string with_friction(const ContactChoice& contact, const Parameters& parame
     if (!is_friction(name))
       throw ModelError(fmt::format("--friction: unknown friction law '{}'{}", name,
                                    suggestion(name, friction_names())));
-    if (find_friction_part(law) != std::string_view::npos)
+    if (find_friction_part(contact, law) != std::string_view::npos)
       throw ModelError(fmt::format("--friction {}: the law '{}' has friction already", with, law));
     return fmt::format("{}{}{}", law, law.empty() ? "" : "+", with);
   };

@@ -44,9 +44,10 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
     {"cases",
-     {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts", "cases/slots",
-      "cases/report", "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper",
-      "cases/program", "cases/program/reports", "cases/program/studies"}},
+     {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts",
+      "cases/friction", "cases/slots", "cases/report", "cases/jobs", "cases/validation",
+      "cases/paper/figures", "cases/paper", "cases/program", "cases/program/reports",
+      "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 

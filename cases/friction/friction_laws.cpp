@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/cases/friction/friction_laws.hpp>
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+#include <utility>
+
+#include <yoke/contact/laws/catalog/friction_catalog.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
+
+namespace yoke::cases {
+
+namespace {
+
+constexpr double contact_exponent = 1.5;
+constexpr double bristle_damping =
+    300.0;  // [N s/m], about critical for 1 kg on 1e5 N/m: as LuGre's paper
+
+NamedLaw law_named_after(const char* friction, const char* description) {
+  return {friction, description, [friction](const Parameters& p, const Wall&) {
+            std::vector<std::pair<std::string, double>> values;
+            for (const FrictionParameter& each : find_friction(friction).parameters)
+              for (const char* own : {"mu", "mu_static", "threshold"})
+                if (each.name == own) values.emplace_back(own, p.number(own));
+            for (const FrictionParameter& each : find_friction(friction).parameters)
+              if (each.name == "damping") values.emplace_back("damping", bristle_damping);
+            return ContactLaw{PowerLaw{p.number("stiffness"), contact_exponent},
+                              {},
+                              make_friction(friction, values)};
+          }};
+}
+
+}  // namespace
+
+std::vector<CaseParameter> friction_parameters(const char* mu, const char* mu_static) {
+  return {{.name = "stiffness",
+           .quantity = Quantity::number,
+           .default_text = "1e8",
+           .low = 1e5,
+           .high = 1e12,
+           .description = "K of the contact's F = K d^1.5, in N/m^1.5"},
+          {.name = "mu",
+           .quantity = Quantity::number,
+           .default_text = mu,
+           .low = 0.001,
+           .high = 2.0,
+           .description = "coefficient of friction while it slides"},
+          {.name = "mu_static",
+           .quantity = Quantity::number,
+           .default_text = mu_static,
+           .low = 0.001,
+           .high = 3.0,
+           .description = "the greatest, for laws that have it"},
+          {.name = "threshold",
+           .quantity = Quantity::number,
+           .default_text = "0.001",
+           .low = 1e-5,
+           .high = 1.0,
+           .description = "sliding velocity below which the laws without bristles creep, in m/s"}};
+}
+
+ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls) {
+  return {.walls = std::move(walls),
+          .laws = {law_named_after("brown-mcphee", "smooth, greatest friction at the threshold"),
+                   law_named_after("regularised-coulomb", "mu N tanh(v/threshold)"),
+                   law_named_after("stribeck", "falls from mu_static to mu about 0.1 m/s"),
+                   law_named_after("bengisu-akay", "falls from mu_static to mu within 0.1 m/s"),
+                   law_named_after("dahl", "bristles of 1e5 N/m: holds, a spring that yields"),
+                   law_named_after("lugre",
+                                   "bristles of 1e5 N/m that fall from mu_static to mu "
+                                   "about 10 mm/s, damped")},
+          .base = "brown-mcphee"};
+}
+
+std::vector<LinePoint> move_on_line(const FrictionLaw& friction, const LineMotion& start,
+                                    const std::vector<double>& times) {
+  namespace odeint = boost::numeric::odeint;
+  using Row = std::array<double, 3>;  // x, v, z
+  constexpr double tolerance = 1e-13, least_steps = 10000.0;
+  const double bent = friction.has_state() ? friction.state_scale(start.reference_force) : 1.0;
+  const auto rate = [&](const Row& y, Row& slope, double) {
+    const FrictionOutput f = friction.evaluate({.normal_force = start.normal_force,
+                                                .sliding = y[1] - start.belt,
+                                                .state = bent * y[2],
+                                                .reference_force = start.reference_force});
+    slope = {y[1], (start.load - start.stiffness * y[0] - f.force) / start.mass, f.rate / bent};
+  };
+  Row y{start.x, start.v, 0.0};
+  double t = times.empty() ? 0.0 : times.front();
+  std::vector<LinePoint> points;
+  // Where the force is constant any step is exact, and a long one would not see the end of that.
+  const double longest = times.empty() ? 0.0 : (times.back() - times.front()) / least_steps;
+  const auto stepper =
+      odeint::make_controlled(tolerance, tolerance, longest, odeint::runge_kutta_dopri5<Row>());
+  for (const double next : times) {
+    if (next > t) odeint::integrate_adaptive(stepper, rate, y, t, next, 1e-3 * longest);
+    t = next;
+    points.push_back({y[0], y[1]});
+  }
+  return points;
+}
+
+std::vector<Check> line_checks(const Result& run, const FrictionLaw& friction,
+                               const LineMotion& start, const std::string& x_column,
+                               const std::string& v_column) {
+  const Eigen::VectorXd t = run["t_s"], x = run[x_column], v = run[v_column];
+  const Eigen::Index rows = t.size(), every = std::max<Eigen::Index>(1, rows / 50);
+  std::vector<double> times;
+  for (Eigen::Index i = 0; i < rows; i += every) times.push_back(t[i]);
+  const std::vector<LinePoint> points = move_on_line(friction, start, times);
+  double off_x = 0.0, off_v = 0.0, size_x = 0.0, size_v = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k) * every;
+    off_x = std::max(off_x, std::abs(x[i] - x[0] + start.x - points[k].x));
+    off_v = std::max(off_v, std::abs(v[i] - points[k].v));
+    size_x = std::max(size_x, std::abs(points[k].x));
+    size_v = std::max(size_v, std::abs(points[k].v));
+  }
+  // What the run takes for a length and a velocity of usual size: creep may be much less.
+  const double usual = run.summary.length_scale / run.summary.time_scale;
+  const std::string remark = "equation of one coordinate, another integrator";
+  return {{.what = "position differs by up to",
+           .value = off_x,
+           .unit = "m",
+           .tolerance = tolerance_of(run, std::max(size_x, run.summary.length_scale)),
+           .remark = remark},
+          {.what = "velocity differs by up to",
+           .value = off_v,
+           .unit = "m/s",
+           .tolerance = tolerance_of(run, std::max(size_v + std::abs(start.belt), usual)),
+           .remark = remark}};
+}
+
+}  // namespace yoke::cases
