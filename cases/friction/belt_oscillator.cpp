@@ -116,7 +116,11 @@ Case belt_oscillator_case() {
       .description = "a mass on a spring on a moving belt: stick-slip",
       .parameters = std::move(parameters),
       .contact =
-          friction_laws([](const Parameters&) { return std::vector{flat_wall("belt", 0.1)}; }),
+          friction_laws([](const Parameters&) { return std::vector{flat_wall("belt", 0.1)}; },
+                        [](const Parameters& p) {
+                          const BeltOscillator c(p);
+                          return Pressed{c.mass, c.normal_force()};
+                        }),
       .default_output = "results/belt_oscillator",
       .model = [](const Parameters& p,
                   const WallLaws& laws) { return belt_oscillator_model(BeltOscillator(p), laws); },

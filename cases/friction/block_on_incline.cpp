@@ -91,8 +91,8 @@ Case block_on_incline_case() {
       {.name = "speed",
        .quantity = Quantity::number,
        .default_text = "0",
-       .low = -100.0,
-       .high = 100.0,
+       .low = -20.0,
+       .high = 20.0,
        .description = "at the start, down the incline, in m/s"},
       mass_parameter("mass", "2", "of the block, in kg"),
       {.name = "duration",
@@ -108,7 +108,11 @@ Case block_on_incline_case() {
       .description = "a block on an incline that holds, creeps or slides",
       .parameters = std::move(parameters),
       .contact =
-          friction_laws([](const Parameters&) { return std::vector{flat_wall("incline", 0.1)}; }),
+          friction_laws([](const Parameters&) { return std::vector{flat_wall("incline", 0.1)}; },
+                        [](const Parameters& p) {
+                          const BlockOnIncline c(p);
+                          return Pressed{c.mass, c.normal_force()};
+                        }),
       .default_output = "results/block_on_incline",
       .model = [](const Parameters& p,
                   const WallLaws& laws) { return block_on_incline_model(BlockOnIncline(p), laws); },

@@ -10,6 +10,7 @@
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <yoke/contact/laws/catalog/friction_catalog.hpp>
@@ -20,17 +21,28 @@ namespace yoke::cases {
 namespace {
 
 constexpr double contact_exponent = 1.5;
-constexpr double bristle_damping =
-    300.0;  // [N s/m], about critical for 1 kg on 1e5 N/m: as LuGre's paper
+using PressedMass = std::function<Pressed(const Parameters&)>;
 
-NamedLaw law_named_after(const char* friction, const char* description) {
-  return {friction, description, [friction](const Parameters& p, const Wall&) {
+/// The value of a parameter of a friction law, if the case decides it. Bristles bend by the parameter
+/// presliding before they slip, and are damped critically, whatever the mass.
+std::optional<double> own_value(const std::string& name, const Parameters& p,
+                                const PressedMass& pressed) {
+  for (const char* own : {"mu", "mu_static", "threshold"})
+    if (name == own) return p.number(own);
+  const Pressed at = pressed(p);
+  const double stiffness = p.number("mu") * at.normal_force / p.number("presliding");
+  if (name == "stiffness") return stiffness;
+  if (name == "damping") return 2.0 * std::sqrt(stiffness * at.mass);
+  return std::nullopt;
+}
+
+NamedLaw law_named_after(const char* friction, const char* description,
+                         const PressedMass& pressed) {
+  return {friction, description, [friction, pressed](const Parameters& p, const Wall&) {
             std::vector<std::pair<std::string, double>> values;
             for (const FrictionParameter& each : find_friction(friction).parameters)
-              for (const char* own : {"mu", "mu_static", "threshold"})
-                if (each.name == own) values.emplace_back(own, p.number(own));
-            for (const FrictionParameter& each : find_friction(friction).parameters)
-              if (each.name == "damping") values.emplace_back("damping", bristle_damping);
+              if (const auto value = own_value(each.name, p, pressed))
+                values.emplace_back(each.name, *value);
             return ContactLaw{PowerLaw{p.number("stiffness"), contact_exponent},
                               {},
                               make_friction(friction, values)};
@@ -63,19 +75,27 @@ std::vector<CaseParameter> friction_parameters(const char* mu, const char* mu_st
            .default_text = "0.001",
            .low = 1e-5,
            .high = 1.0,
-           .description = "sliding velocity below which the laws without bristles creep, in m/s"}};
+           .description = "sliding velocity below which the laws without bristles creep, in m/s"},
+          {.name = "presliding",
+           .quantity = Quantity::length,
+           .default_text = "20um",
+           .low = 1e-7,
+           .high = 1e-2,
+           .description = "by which bristles bend before they slip, for laws that have them"}};
 }
 
-ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls) {
+ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls,
+                            const std::function<Pressed(const Parameters&)>& pressed) {
+  const auto law = [&](const char* friction, const char* description) {
+    return law_named_after(friction, description, pressed);
+  };
   return {.walls = std::move(walls),
-          .laws = {law_named_after("brown-mcphee", "smooth, greatest friction at the threshold"),
-                   law_named_after("regularised-coulomb", "mu N tanh(v/threshold)"),
-                   law_named_after("stribeck", "falls from mu_static to mu about 0.1 m/s"),
-                   law_named_after("bengisu-akay", "falls from mu_static to mu within 0.1 m/s"),
-                   law_named_after("dahl", "bristles of 1e5 N/m: holds, a spring that yields"),
-                   law_named_after("lugre",
-                                   "bristles of 1e5 N/m that fall from mu_static to mu "
-                                   "about 10 mm/s, damped")},
+          .laws = {law("brown-mcphee", "smooth, greatest friction at the threshold"),
+                   law("regularised-coulomb", "mu N tanh(v/threshold)"),
+                   law("stribeck", "falls from mu_static to mu about 0.1 m/s"),
+                   law("bengisu-akay", "falls from mu_static to mu within 0.1 m/s"),
+                   law("dahl", "bristles: holds, a spring that yields"),
+                   law("lugre", "bristles, damped; falls from mu_static to mu about 10 mm/s")},
           .base = "brown-mcphee"};
 }
 

@@ -14,12 +14,19 @@
 
 namespace yoke::cases {
 
-/// Parameters stiffness (of the elastic contact), mu, mu_static and threshold.
+/// Parameters stiffness (of the elastic contact), mu, mu_static, threshold and presliding.
 std::vector<CaseParameter> friction_parameters(const char* mu, const char* mu_static);
+
+/// What the friction has to hold: the stiffness of bristles is made from it.
+struct Pressed {
+  double mass = 0.0;          // [kg]
+  double normal_force = 0.0;  // [N]
+};
 
 /// An elastic contact, K d^1.5, with the friction law after which it is called: brown-mcphee (the
 /// base), regularised-coulomb, stribeck, bengisu-akay, dahl and lugre. `walls` as in ContactChoice.
-ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls);
+ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls,
+                            const std::function<Pressed(const Parameters&)>& pressed);
 
 /// A mass on a line: m x'' = load - k x - T(N, x' - belt).
 struct LineMotion {

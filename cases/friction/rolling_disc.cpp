@@ -113,8 +113,8 @@ Case rolling_disc_case() {
       {.name = "speed",
        .quantity = Quantity::number,
        .default_text = "1",
-       .low = -100.0,
-       .high = 100.0,
+       .low = -20.0,
+       .high = 20.0,
        .description = "at the start, in m/s"},
       {.name = "spin",
        .quantity = Quantity::number,
@@ -129,19 +129,23 @@ Case rolling_disc_case() {
        .high = 1000.0,
        .description = "of the run"}};
   for (CaseParameter& p : friction_parameters("0.2", "0.25")) parameters.push_back(std::move(p));
-  return {.name = "rolling_disc",
-          .group = "friction",
-          .description = "a disc that skids along a floor until it rolls",
-          .parameters = std::move(parameters),
-          .contact = friction_laws([](const Parameters& p) {
-            return std::vector{flat_wall("floor", p.number("radius"))};
+  return {
+      .name = "rolling_disc",
+      .group = "friction",
+      .description = "a disc that skids along a floor until it rolls",
+      .parameters = std::move(parameters),
+      .contact = friction_laws(
+          [](const Parameters& p) { return std::vector{flat_wall("floor", p.number("radius"))}; },
+          [](const Parameters& p) {
+            const RollingDisc c(p);
+            return Pressed{c.mass, c.normal_force()};
           }),
-          .default_output = "results/rolling_disc",
-          .model = [](const Parameters& p,
-                      const WallLaws& laws) { return rolling_disc_model(RollingDisc(p), laws); },
-          .duration = [](const Parameters& p) { return p.number("duration"); },
-          .checks_hold_with_friction = true,
-          .law_checks = rolling_disc_checks};
+      .default_output = "results/rolling_disc",
+      .model = [](const Parameters& p,
+                  const WallLaws& laws) { return rolling_disc_model(RollingDisc(p), laws); },
+      .duration = [](const Parameters& p) { return p.number("duration"); },
+      .checks_hold_with_friction = true,
+      .law_checks = rolling_disc_checks};
 }
 
 }  // namespace yoke::cases

@@ -63,6 +63,12 @@ std::vector<ContactMode> friction_modes_for(const AnyContact& contact) {
           {"sliding, following the radius", graded}};
 }
 
+std::vector<ContactMode> all_modes_for(const AnyContact& contact) {
+  std::vector<ContactMode> all = modes_for(contact);
+  for (ContactMode& mode : friction_modes_for(contact)) all.push_back(std::move(mode));
+  return all;
+}
+
 /// One contact near one of its places, and random states there: both bodies anywhere, with any
 /// velocities, the disc within the wall.
 class Bench {
@@ -403,8 +409,8 @@ TEST_CASE("every contact: the power of the force is what is stored and what is d
   });
 }
 
-TEST_CASE("every contact: turned and moved it is the same") {
-  for_every_place([](Bench& bench, const AnyContact&) {
+TEST_CASE("every contact: turned and moved it is the same, with friction or without") {
+  const auto check = [](Bench& bench, const AnyContact&) {
     for (int i = 0; i < 5; ++i) {
       bench.draw(2.7e-5);
       Scene& scene = bench.scene;
@@ -427,7 +433,9 @@ TEST_CASE("every contact: turned and moved it is the same") {
       CHECK(std::abs(Q_after[2] - Q[2]) < 1e-9 * force.norm());
       CHECK(std::abs(Q_after[5] - Q[5]) < 1e-9 * force.norm());
     }
-  });
+  };
+  for_every_place(check);
+  for_every_place(check, Grounded::neither, friction_modes_for);
 }
 
 TEST_CASE("every contact: a mirror shows the mirrored forces and derivatives") {
@@ -437,12 +445,11 @@ TEST_CASE("every contact: a mirror shows the mirrored forces and derivatives") {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (std::size_t c = 0; c < seen.size(); ++c)
     for (std::size_t n = 0; n < seen[c].near.size(); ++n)
-      for (std::size_t m = 0; m < modes_for(seen[c]).size(); ++m) {
+      for (const ContactMode& mode : all_modes_for(seen[c])) {
         INFO(seen[c].name << " near " << seen[c].near[n].x() << ", " << seen[c].near[n].y());
         Model model;
         const BodyId a = model.add({.name = "a", .mass = 0.09, .inertia = 3e-5});
         const BodyId b = model.add({.name = "b", .mass = 2.3, .inertia = 3e-3});
-        const ContactMode mode = modes_for(seen[c])[m];
         const Vec2 at = seen[c].touching(seen[c].near[n], 2.7e-5);
         Scene scene, image;
         scene.element = seen[c].build(model, a, b, at, mode.law);
@@ -456,6 +463,7 @@ TEST_CASE("every contact: a mirror shows the mirrored forces and derivatives") {
           scene.memory = image.memory = {};
           scene.set({}, v), image.set({}, mirrored(v));
           scene.touch(), image.touch();
+          scene.z = 1e-5, image.z = -1e-5;
           scene.memory.phase = image.memory.phase = mode.phase;
           scene.memory.largest_penetration = image.memory.largest_penetration = 3e-5;
           const Row6 Q = scene.Q();

@@ -114,6 +114,11 @@ const Tangent::Matrix& Statics::calc_matrix(const Vector& x, double inertia) {
       t.G, 0, l, [&](auto i, auto j) { return -size(i) / measure(j); }, true);
   for (const int row : system_.dropped_rows())
     entries.emplace_back(static_cast<int>(l) + row, static_cast<int>(l) + row, 1.0);
+  // A state that nothing moves at rest, as bristles between surfaces that do not slide, stays.
+  const Vector idle = t.z_q.cwiseAbs() * Vector::Ones(n_) + t.z_z.cwiseAbs() * Vector::Ones(nz_);
+  for (Eigen::Index i = 0; i < nz_; ++i)
+    if (idle[i] == 0.0)
+      entries.emplace_back(static_cast<int>(n_ + i), static_cast<int>(n_ + i), -1.0);
   matrix_.resize(l + rows_, l + rows_);
   matrix_.setFromTriplets(entries.begin(), entries.end());
   if (inertia > 0.0) add_inertia(inertia);
