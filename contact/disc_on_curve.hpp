@@ -6,7 +6,7 @@
 // the curve, > 0 on the side of the disc, and r its radius:
 //   d = r - D_c              and where a curve with ends or corners has one at T:
 //   d = r - |p - T|
-// and derivatives as in core/curves/relative_point.hpp. Without friction. Derivatives and events:
+// and derivatives as in core/curves/relative_point.hpp. Derivatives, friction and events:
 // contact_element.hpp.
 #pragma once
 

@@ -52,7 +52,7 @@ struct SlotOn {
 
 /// m.add(PinInSlot{.name = "slot", .pin = {crank, tip, 7.9_mm}, .slot = {slider, arc_slot({...})},
 ///                 .law = ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}});
-/// The normal points from the centreline to the wall touched. Without friction.
+/// The normal points from the centreline to the wall touched. Friction is the third part of a law.
 struct PinInSlot {
   std::string name;
   Pin pin;
