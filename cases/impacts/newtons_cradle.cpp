@@ -147,7 +147,7 @@ void require_short_strikes(const NewtonsCradle& c, const ContactLaw& law) {
     throw ModelError(fmt::format(
         "newtons_cradle: an impact of two discs at {:.3g} m/s would last about {:.3g} ms; accepted "
         "is less than {:.3g} ms, a fiftieth of a quarter swing: with a greater stiffness, a smaller "
-        "exponent, another law",
+        "mass or exponent, another law",
         c.speed(), 1e3 * one, 1e3 * most));
 }
 

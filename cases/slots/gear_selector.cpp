@@ -278,7 +278,7 @@ Case gear_selector_case() {
                      {.name = "speed",
                       .quantity = Quantity::number,
                       .default_text = "100",
-                      .low = 1.0,
+                      .low = 2.0,
                       .high = 1e4,
                       .description = "of the drum, in revolutions per minute"}},
       .contact = machine_laws([](const Parameters& p) {
