@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include <yoke/cases/case.hpp>
+#include <yoke/cases/uniform_bar.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/forces/gravity.hpp>
@@ -66,12 +67,8 @@ Model leg_model(const Parameters& p) {
   const Leg at = leg_at(0.0, u);
   Model m;
   const auto rod = [&](const char* name, const Vec2& from, const Vec2& to) {
-    const Vec2 way = to - from;
-    const double l = way.norm(), mass = density * l;
-    return m.add(Body{.name = name,
-                      .mass = mass,
-                      .inertia = mass * l * l / 12.0,
-                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())}});
+    const double mass = density * (to - from).norm();
+    return m.add(uniform_bar({.name = name, .mass = mass, .from = from, .to = to}));
   };
   const BodyId crank = rod("crank", at.O, at.C), j = rod("j", at.C, at.D), k = rod("k", at.C, at.G);
   const BodyId b = rod("b", at.B, at.D), d = rod("d", at.B, at.E), e = rod("e", at.D, at.E);

@@ -30,6 +30,7 @@
 
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/choices/clearance_choice.hpp>
+#include <yoke/cases/uniform_bar.hpp>
 #include <yoke/contact/geometry/curve_slot.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
@@ -117,18 +118,9 @@ Model quick_return_model(const QuickReturn& c, const WallLaws& laws) {
   // Upright at the start, crank and lever move their ends along x: the link does not turn.
   const double rate = c.omega * c.crank / (c.distance + c.crank);  // of the lever
   const Vec2 ram_speed = rate * perp(tip);
-  const auto bar = [&](const char* name, double mass, const Vec2& from, const Vec2& to,
-                       const Vec2& speed, double turning) {
-    const Vec2 way = to - from;
-    return m.add(Body{.name = name,
-                      .mass = mass,
-                      .inertia = mass * way.squaredNorm() / 12.0,
-                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())},
-                      .twist = {speed + turning * perp(0.5 * way), turning}});
-  };
-  const BodyId crank = bar("crank", 1.0, middle, pin, origin, c.omega),
-               lever = bar("lever", 3.0, origin, tip, origin, rate),
-               link = bar("link", 1.0, head, tip, ram_speed, 0.0);
+  const BodyId crank = m.add(uniform_bar({"crank", 1.0, middle, pin, origin, c.omega})),
+               lever = m.add(uniform_bar({"lever", 3.0, origin, tip, origin, rate})),
+               link = m.add(uniform_bar({"link", 1.0, head, tip, ram_speed, 0.0}));
   const BodyId ram = m.add(Body{
       .name = "ram", .mass = 5.0, .inertia = 0.05, .pose = {head, 0.0}, .twist = {ram_speed, 0.0}});
   m.add(Revolute{.name = "crank pivot", .a = ground, .b = crank, .at = middle});

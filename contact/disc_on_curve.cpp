@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/contact/disc_on_curve.hpp>
 
+#include <cmath>
 #include <utility>
 
 #include <yoke/contact/contact_element.hpp>
@@ -40,6 +41,11 @@ std::unique_ptr<ForceElement> DiscOnCurve::build(const Model& model) const {
   if (!(thickness > 0.0))
     throw ModelError(
         fmt::format("{}: thickness = {:g} m must be greater than 0", owner, thickness));
+  if (std::isfinite(thickness) && (curve.closed() || !std::isfinite(curve.length())))
+    throw ModelError(
+        fmt::format("{}: thickness = {:g} m is of the material behind a curve with ends; this one "
+                    "has none, leave it out",
+                    owner, thickness));
   Slot wall = wall_profile({.curve = curve,
                             .disc_on_left = side == CurveSide::left,
                             .disc_radius = disc.radius,

@@ -141,6 +141,25 @@ Eigen::VectorXd Table::operator[](std::string_view name) const {
   return values;
 }
 
+Table Table::merged(const Table& other) const {
+  Table table;
+  table.names_ = names_;
+  table.labels_ = labels_;
+  const std::size_t width = names_.size();
+  table.data_.reserve(data_.size() + other.data_.size());
+  const auto take = [&](const Table& from, std::size_t row) {
+    const auto first = from.data_.begin() + static_cast<std::ptrdiff_t>(row * width);
+    table.data_.insert(table.data_.end(), first, first + static_cast<std::ptrdiff_t>(width));
+    ++table.rows_;
+  };
+  for (std::size_t i = 0, j = 0; i < rows_ || j < other.rows_;) {
+    const bool mine = j == other.rows_ || (i < rows_ && data_[i * width] <= other.data_[j * width]);
+    while (mine && j < other.rows_ && other.data_[j * width] == data_[i * width]) ++j;
+    mine ? take(*this, i++) : take(other, j++);
+  }
+  return table;
+}
+
 Table Table::every(std::size_t n) const {
   Table thinned;
   thinned.names_ = names_;

@@ -41,6 +41,9 @@ class Table {
   const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
   /// A table of the same columns with rows 0, n, 2 n, ...; n >= 1.
   Table every(std::size_t n) const;
+  /// A table with the rows of both, which have the same columns, rising in the first, the time; of
+  /// rows at one time the one here alone.
+  Table merged(const Table& other) const;
   /// Text of a labelled cell, the number with 17 significant digits otherwise.
   std::string text(std::size_t row, std::size_t column) const;
 
@@ -115,6 +118,9 @@ struct Summary {
 
 struct Result {
   Table samples;
+  /// Rows of the same columns within contacts, not uniform in time; without columns unless
+  /// SimulationOptions::contact_rows asks for them.
+  Table contact_samples{};
   std::vector<EventRecord> events;
   Summary summary;
   State final;  // at Summary::t_end, consistent: a run can start from it

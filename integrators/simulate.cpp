@@ -221,6 +221,7 @@ bool Run::initialise() {
 
 // No factors, an integrator without a past.
 void Run::start_anew() {
+  samples_->contact_rows().start(state_.contacts);
   dynamics_.reset();
   make_formulation();
   start_formulation();
@@ -276,13 +277,16 @@ void Run::record_singular_position(const SingularPosition& position) {
                             .region = ""});
 }
 
+// Of the step that ends at t.
 void Run::record_samples_up_to(double t) {
-  if (samples_->next_time() > t) return;
+  const bool in_contact = samples_->contact_rows().step();
+  if (!in_contact && samples_->next_time() > t) return;
   const Work before = work_of(dynamics_);
   sample_.contacts = state_.contacts;
   sample_.parameters = state_.parameters;
-  if (const Outcome outcome = samples_->record_up_to(t, *formulation_, sample_); !outcome)
-    fail(outcome.why);
+  Outcome outcome = samples_->record_up_to(t, *formulation_, sample_);
+  if (outcome && in_contact) outcome = samples_->record_in_contact(t, *formulation_, sample_);
+  if (!outcome) fail(outcome.why);
   dynamics_.system().bind(state_);
   cost_.book_recording(work_of(dynamics_) - before);
 }

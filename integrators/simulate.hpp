@@ -40,10 +40,14 @@ struct SimulationOptions {
   double relative_tolerance = 1e-8;       // 1e-13 to 1e-2
   std::string formulation = "automatic";  // or a name of formulations()
   int samples = 1001;                     // rows, uniform in time, both ends; 0 or >= 2
-  double length_scale = 0.0;              // [m] error weight of positions
-  double time_scale = 0.0;                // [s] of velocities: length / time
-  double baumgarte_rate = 0.0;            // [1/s] gain after Baumgarte, see docs/numerics.md
-  double spectral_radius = 0.8;           // 0 to 0.999, formulation generalised-alpha only
+  /// Rows besides, in Result::contact_samples, that show each contact whole however short it is: 0
+  /// is none; n >= 1 a row at its onset and at the end of each of the next n steps, of every second
+  /// of the n steps after those, of every fourth of the 2 n after those, and so on.
+  int contact_rows = 0;
+  double length_scale = 0.0;     // [m] error weight of positions
+  double time_scale = 0.0;       // [s] of velocities: length / time
+  double baumgarte_rate = 0.0;   // [1/s] gain after Baumgarte, see docs/numerics.md
+  double spectral_radius = 0.8;  // 0 to 0.999, formulation generalised-alpha only
   Checkpoints checkpoints{};
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.

@@ -46,13 +46,17 @@ double rounding_of_energies(const Result& run) {
 
 }  // namespace
 
-Check energy_check(const Result& run) {
+Check energy_check(const Result& run, double scale) {
+  const double exchanged = run.summary.energy_exchanged;
+  const double kinetic = run.samples.rows() > 0 ? run["kinetic_J"].maxCoeff() : 0.0;
   return {.what = "imbalance of the energy",
           .value = run.summary.energy_balance,
           .unit = "J",
-          .tolerance =
-              std::max(tolerance_of(run, run.summary.energy_exchanged), rounding_of_energies(run)),
-          .remark = fmt::format("of {:.3g} J exchanged", run.summary.energy_exchanged)};
+          .tolerance = std::max(tolerance_of(run, std::max({exchanged, kinetic, scale})),
+                                rounding_of_energies(run)),
+          .remark = fmt::format(
+              "of {:.3g} J exchanged{}", exchanged,
+              kinetic > exchanged ? fmt::format(", {:.3g} J kinetic", kinetic) : std::string())};
 }
 
 Check deviation_check(std::string what, const Result& run, std::string_view column,

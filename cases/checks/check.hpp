@@ -34,8 +34,10 @@ std::string text_of(const Check& check);
 /// the steps add up over a run.
 double tolerance_of(const Result& run, double scale);
 
-/// The worst imbalance of the energy ledger, which should be 0.
-Check energy_check(const Result& run);
+/// The worst imbalance of the energy ledger, which should be 0. Tolerated of what was exchanged or,
+/// if it is more, of the kinetic energy: that is what a relative error of the velocities moves, also
+/// where nothing is exchanged; or of `scale` [J], if that is more still.
+Check energy_check(const Result& run, double scale = 0.0);
 
 /// The largest difference of a column from what it should be, over all rows. The tolerance is
 /// tolerance_of() the range of the expected values, or of `scale` where it is given.

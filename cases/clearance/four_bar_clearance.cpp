@@ -26,6 +26,7 @@
 
 #include <yoke/cases/choices/clearance_choice.hpp>
 #include <yoke/cases/clearance/bearings.hpp>
+#include <yoke/cases/uniform_bar.hpp>
 #include <yoke/contact/clearance.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
@@ -100,13 +101,8 @@ Model four_bar_model(const FourBarClearance& c, const WallLaws& laws) {
   Model m;
   const auto bar = [&](const char* name, const Vec2& from, const Vec2& to, const Vec2& v,
                        double rate) {
-    const Vec2 way = to - from;
-    const double length = way.norm(), mass = 1.0 * length;  // 1 kg/m
-    return m.add(Body{.name = name,
-                      .mass = mass,
-                      .inertia = mass * length * length / 12.0,
-                      .pose = {0.5 * (from + to), std::atan2(way.y(), way.x())},
-                      .twist = {v + rate * perp(0.5 * way), rate}});
+    const double mass = 1.0 * (to - from).norm();  // 1 kg/m
+    return m.add(uniform_bar({name, mass, from, to, v, rate}));
   };
   const BodyId crank = bar("crank", {0.0, 0.0}, A, {0.0, 0.0}, c.omega),
                coupler = bar("coupler", A, B, v_A, psi),
@@ -185,7 +181,7 @@ Case four_bar_clearance_case() {
                      {.name = "speed",
                       .quantity = Quantity::number,
                       .default_text = "600",
-                      .low = 1.0,
+                      .low = 10.0,
                       .high = 1e5,
                       .description = "of the crank, in revolutions per minute"},
                      {.name = "turns",

@@ -40,6 +40,13 @@ namespace {
 using namespace yoke::literals;
 
 constexpr double block_length = 50.0_mm, block_width = 25.0_mm;
+constexpr double crank_length = 153.0_mm, rod_length = 306.0_mm;
+
+/// [m] The slider without clearance.
+double ideal_position(double crank_angle) {
+  const double up = crank_length * std::sin(crank_angle);
+  return crank_length * std::cos(crank_angle) + std::sqrt(rod_length * rod_length - up * up);
+}
 
 struct SliderGuideClearance {
   double clearance;      // [m] 0: ideal
@@ -85,17 +92,32 @@ Check corner_check(const SliderGuideClearance& c, const Result& run) {
           .remark = fmt::format("from the poses; deepest {:.3g} um", 1e6 * deepest)};
 }
 
+/// The limit of small clearance. The slider's middle is off the guide's line by no more than the play,
+/// and x follows the height at the rate of the rod's slope, (l1 sin(phi) - y)/(the rod's part along x).
+Check limit_check(const SliderGuideClearance& c, const Result& run) {
+  const Eigen::VectorXd x = run["slider.x_m"], phi = run["crank.angle_rad"];
+  double worst = 0.0, deepest = 0.0;
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    worst = std::max(worst, std::abs(x[i] - ideal_position(phi[i])));
+  for (const char* corner : {"front left", "front right", "back left", "back right"})
+    deepest = std::max(deepest, run[fmt::format("guide {}.penetration_m", corner)].maxCoeff());
+  const double play = c.clearance + deepest, reach = crank_length + play;
+  const double slope = reach / std::sqrt(rod_length * rod_length - reach * reach);
+  return {.what = "slider off the ideal one by up to",
+          .value = 1e6 * worst,
+          .unit = "um",
+          .tolerance = 1e6 * slope * play,
+          .remark = "closed form of the crank's angle; bound: play and slope of the rod"};
+}
+
 std::vector<Check> slider_guide_checks(const SliderGuideClearance& c, const Model&,
                                        const Result& run) {
-  if (c.clearance > 0.0) return {corner_check(c, run), energy_check(run)};
+  if (c.clearance > 0.0) return {corner_check(c, run), limit_check(c, run), energy_check(run)};
   const Eigen::VectorXd phi = run["crank.angle_rad"];
-  return {deviation_check("position of the slider off by", run, "slider.x_m", "m",
-                          "closed form of the crank's angle",
-                          [&](std::size_t i) {
-                            const double angle = phi[static_cast<Eigen::Index>(i)],
-                                         up = 0.153 * std::sin(angle);
-                            return 0.153 * std::cos(angle) + std::sqrt(0.306 * 0.306 - up * up);
-                          }),
+  return {deviation_check(
+              "position of the slider off by", run, "slider.x_m", "m",
+              "closed form of the crank's angle",
+              [&](std::size_t i) { return ideal_position(phi[static_cast<Eigen::Index>(i)]); }),
           energy_check(run)};
 }
 

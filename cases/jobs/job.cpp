@@ -44,7 +44,7 @@ struct Job {
     run.folder = folders[i];
     write_run(c, request, run, own.output);
     if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots(), c.paths);
-    if (!request.plots || !more) run.history = run.samples = {};
+    if (!request.plots || !more) run.history = run.samples = run.dense = {};
     return run;
   }
 

@@ -18,6 +18,8 @@ namespace {
 
 // Rows recorded of a run with contacts, whatever is written.
 constexpr double recorded_by_default = 40000.0;
+// Rows within each contact besides, see SimulationOptions.
+constexpr int rows_of_contact = 40;
 
 std::size_t choose_stride(int samples, double wanted) {
   if (samples < 2) return 1;
@@ -44,9 +46,9 @@ std::vector<ContactRecord> contact_records(const std::vector<std::string>& names
   std::vector<ContactRecord> records;
   for (const std::string& name : names) {
     ContactRecord r{.element = name};
-    if (run.samples.rows() > 0) {
-      r.peak_force = run.samples[name + ".normal_force_N"].maxCoeff();
-      r.largest_penetration = std::max(0.0, run.samples[name + ".penetration_m"].maxCoeff());
+    if (run.all().rows() > 0) {
+      r.peak_force = run.all()[name + ".normal_force_N"].maxCoeff();
+      r.largest_penetration = std::max(0.0, run.all()[name + ".penetration_m"].maxCoeff());
     }
     r.onsets = std::ranges::count_if(
         run.events, [&](const EventRecord& e) { return e.element == name && e.kind == "onset"; });
@@ -74,6 +76,22 @@ Table renamed(const Table& samples, const std::vector<MotionColumn>& columns) {
 
 bool of_element(const EventRecord& event, std::string_view element) {
   return element.empty() || event.element == element;
+}
+
+/// What the case says of its run.
+void judge(const Case& c, const RunRequest& request, const Model& model, const Result& result,
+           LawRun& run) {
+  run.checks = run_checks(c, request.parameters, run.law, model, result);
+  if ((request.plots || request.report) && c.portraits && result.summary.ok() &&
+      result.samples.rows() >= 2)
+    run.portraits = c.portraits(request.parameters, model, result);
+}
+
+void keep(Result result, LawRun& run) {
+  if (result.contact_samples.rows() > 0) run.dense = result.samples.merged(result.contact_samples);
+  run.samples = std::move(result.samples);
+  run.events = std::move(result.events);
+  run.summary = std::move(result.summary);
 }
 
 }  // namespace
@@ -109,6 +127,7 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
       request.samples > 0 ? (request.samples - 1) * static_cast<int>(run.stride) + 1 : 0;
   SimulationOptions options =
       simulation_options(request, c.duration(request.parameters), samples, request.output);
+  if (!contacts.empty() && samples > 0) options.contact_rows = rows_of_contact;
   options.observer = std::move(observer);
   options.warning = [&law](const std::string& text) {
     fmt::print(stderr, "{}{}{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", law,
@@ -117,36 +136,32 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   Result result = simulate(model, options);
   if (request.verify && result.summary.ok()) {
     options.observer = [](const Progress&) { return !interrupted(); };
+    options.contact_rows = 0;
     run.verification = verify(model, options, result);
   }
-  run.checks = run_checks(c, request.parameters, law, model, result);
-  if ((request.plots || request.report) && c.portraits && result.summary.ok() &&
-      result.samples.rows() >= 2)
-    run.portraits = c.portraits(request.parameters, model, result);
-  if (request.report && result.samples.rows() > 0)
+  judge(c, request, model, result, run);
+  keep(std::move(result), run);
+  run.contacts = contact_records(contacts, run);
+  if (c.columns) run.history = renamed(run.samples, c.columns(request.parameters, model));
+  if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,
                                 .parameters = request.parameters,
                                 .law = law,
                                 .command = request.command,
                                 .model = model,
-                                .samples = result.samples,
-                                .events = result.events,
-                                .summary = result.summary,
+                                .samples = run.all(),
+                                .events = run.events,
+                                .summary = run.summary,
                                 .checks = run.checks,
                                 .portraits = run.portraits,
                                 .share = std::max<std::size_t>(1, request.laws.size())});
-  run.samples = std::move(result.samples);
-  run.events = std::move(result.events);
-  run.summary = std::move(result.summary);
-  run.contacts = contact_records(contacts, run);
-  if (c.columns) run.history = renamed(run.samples, c.columns(request.parameters, model));
   return run;
 }
 
-std::vector<ContactSpell> contact_spells(const LawRun& run, double from, double to,
-                                         std::string_view element) {
+std::vector<ContactSpell> contact_spells(const LawRun& run, const Table& rows, double from,
+                                         double to, std::string_view element) {
   std::vector<ContactSpell> spells;
-  const Eigen::VectorXd t = run.samples["t_s"];
+  const Eigen::VectorXd t = rows["t_s"];
   const auto row_after = [&](double time) {
     return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin());
   };

@@ -33,6 +33,7 @@ struct LawRun {
   bool done = false;     // false: not begun, because the job was interrupted
   Table samples{};       // the engine's columns
   Table history{};       // under the case's own names; empty if the case has none
+  Table dense{};         // samples and the rows within contacts; empty if there are none
   std::vector<EventRecord> events{};
   Summary summary{};
   std::size_t stride = 1;
@@ -44,6 +45,8 @@ struct LawRun {
 
   /// What motion.csv shows.
   const Table& motion() const { return history.names().empty() ? samples : history; }
+  /// All rows there are, not uniform in time.
+  const Table& all() const { return dense.rows() == 0 ? samples : dense; }
   double peak_force() const;           ///< [N] of all contacts
   double largest_penetration() const;  ///< [m] of all contacts
   long onsets() const;                 ///< of all contacts
@@ -61,9 +64,10 @@ struct ContactSpell {
   bool crossed = false;             // the contact before was in another region
 };
 
-/// Contacts of an element that begin and end between two times [s]; "" is any element.
-std::vector<ContactSpell> contact_spells(const LawRun& run, double from, double to,
-                                         std::string_view element = "");
+/// Contacts of an element that begin and end between two times [s]; "" is any element. Rows are
+/// those of `rows`.
+std::vector<ContactSpell> contact_spells(const LawRun& run, const Table& rows, double from,
+                                         double to, std::string_view element = "");
 
 /// A stretch without contact, from a release to the next onset.
 struct Flight {

@@ -141,7 +141,13 @@ Model gear_selector_model(const GearSelector& c, const WallLaws& laws) {
   if (c.real())
     groove.clearance =
         SlotClearance{.pin_radius = pin_radius, .radial = c.clearance, .law = laws["groove"]};
-  m.add(groove);
+  try {
+    m.add(groove);
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format(
+        "gear_selector: drum = {:g} mm and angle = {:g} deg do not suit shift = {:g} mm: {}",
+        1e3 * c.drum, c.angle * 180.0 / pi, 1e3 * c.shift, error.what()));
+  }
   m.add(TranslationalSpring{.name = "spring",
                             .a = ground,
                             .b = ball,
@@ -261,7 +267,7 @@ Case gear_selector_case() {
                       .quantity = Quantity::number,
                       .default_text = "5000",
                       .low = 1.0,
-                      .high = 1e7,
+                      .high = 1e6,
                       .description = "of the ball's spring, in N/m"},
                      {.name = "mass",
                       .quantity = Quantity::number,
@@ -272,7 +278,7 @@ Case gear_selector_case() {
                      {.name = "speed",
                       .quantity = Quantity::number,
                       .default_text = "100",
-                      .low = 0.01,
+                      .low = 2.0,
                       .high = 1e4,
                       .description = "of the drum, in revolutions per minute"}},
       .contact = machine_laws([](const Parameters& p) {

@@ -392,7 +392,7 @@ Case geneva_case() {
                      {.name = "speed",
                       .quantity = Quantity::number,
                       .default_text = "120",
-                      .low = 0.1,
+                      .low = 1.0,
                       .high = 1e4,
                       .description = "of the driver, in revolutions per minute"},
                      {.name = "inertia",

@@ -76,6 +76,7 @@ class CurveSlotProfile {
   void check(std::string_view owner) const {
     require_positive(owner, "half_width", slot_.half_width, "m");
     require_not_negative(owner, "edge_radius", slot_.edge_radius, "m");
+    check_ends_meant(owner);
     if (!std::isfinite(curve_.length()))
       throw ModelError(fmt::format("{}: the centreline must have a finite length", owner));
     if (short_piece_)
@@ -89,6 +90,18 @@ class CurveSlotProfile {
   }
 
  private:
+  /// What is given for ends that there are not would be ignored.
+  void check_ends_meant(std::string_view owner) const {
+    if (curve_.closed() && (slot_.start != SlotEnd::round || slot_.end != SlotEnd::round))
+      throw ModelError(fmt::format(
+          "{}: the centreline is closed and has no ends: leave start and end out", owner));
+    if (slot_.edge_radius > 0.0 && slot_.start != SlotEnd::open && slot_.end != SlotEnd::open)
+      throw ModelError(fmt::format(
+          "{}: edge_radius = {:g} m is of the edges at open ends, and neither start nor "
+          "end is SlotEnd::open; accepted is 0",
+          owner, slot_.edge_radius));
+  }
+
   /// To a flat end half a width further: what is across is a contact of its own.
   WallLine drawn_side(const RegionChain::Side& side) const {
     const CurvePiece& piece = curve_.piece(side.piece);

@@ -32,10 +32,10 @@ struct CurveSlot {
   double half_width = 0.0;  // [m] > 0
   SlotEnd start = SlotEnd::round;
   SlotEnd end = SlotEnd::round;
-  double edge_radius = 0.0;  // [m] >= 0, of the edges at open ends, 0: sharp
+  double edge_radius = 0.0;  // [m] >= 0, of the edges at open ends, 0: sharp or no such end
 };
 
-/// Throws ModelError when a contact is built on it: for a wall whose radius would be below zero (the
+/// Throws ModelError when a contact is built on it: for ends or edges that there are not, a wall whose radius would be below zero (the
 /// centreline bends more than the half-width allows), walls that meet because the centreline crosses
 /// or comes close to itself, a corner that its neighbours are too short for.
 Slot curve_slot(const CurveSlot& slot);

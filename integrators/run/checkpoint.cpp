@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -109,6 +109,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("relative_tolerance", c.relative_tolerance);
   visit("formulation", c.formulation);
   visit("samples", c.samples);
+  visit("contact_rows", c.contact_rows);
   visit("every", c.every);
   visit("every_events", c.every_events);
   visit("baumgarte_rate", c.baumgarte_rate);
@@ -127,10 +128,12 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("summary", c.summary);
   visit("window_start", c.window_start);
   visit("window_events", c.window_events);
-  visit("rows", c.rows);
   visit("columns", c.columns);
+  visit("rows", c.rows.count);
+  visit("samples_checksum", c.rows.checksum);
+  visit("rows_in_contacts", c.rows_in_contacts.count);
+  visit("contacts_checksum", c.rows_in_contacts.checksum);
   visit("events", c.events);
-  visit("samples_checksum", c.samples_checksum);
   visit("events_checksum", c.events_checksum);
 }
 
@@ -289,7 +292,20 @@ EventRecord decode(std::span<const std::uint8_t> cbor) {
 
 const char* const state_file = "checkpoint.bin";
 const char* const sample_file = "samples.bin";
+const char* const contact_file = "contacts.bin";
 const char* const event_file = "events.bin";
+
+/// Appends the rows of a table that are new to its file.
+void append_rows(const fs::path& path, const Table& table, RowsOnDisk& stored) {
+  Bytes bytes;
+  for (std::size_t i = stored.count * table.names().size(); i < table.data().size(); ++i)
+    put(bytes, table.data()[i]);
+  boost::crc_32_type crc;
+  if (stored.count > 0) crc.reset(stored.checksum);
+  crc.process_bytes(bytes.data(), bytes.size());
+  stored = {.count = table.rows(), .checksum = crc.get_interim_remainder()};
+  if (!bytes.empty()) write_durably(path, "ab", bytes);
+}
 
 }  // namespace
 
@@ -298,34 +314,32 @@ CheckpointWriter::CheckpointWriter(fs::path folder, const Checkpoint* existing)
   make_output_folder(folder_);
   if (existing != nullptr) {
     rows_ = existing->rows;
+    rows_in_contacts_ = existing->rows_in_contacts;
     events_ = existing->events;
-    samples_crc_.reset(existing->samples_checksum);
     events_crc_.reset(existing->events_checksum);
     return;
   }
   std::error_code error;
   fs::remove(folder_ / state_file, error);
-  for (const char* name : {sample_file, event_file}) write_durably(folder_ / name, "wb", {});
+  for (const char* name : {sample_file, contact_file, event_file})
+    write_durably(folder_ / name, "wb", {});
 }
 
 void CheckpointWriter::write(Checkpoint& c, const Result& result) {
-  c.rows = result.samples.rows();
+  append_rows(folder_ / sample_file, result.samples, rows_);
+  append_rows(folder_ / contact_file, result.contact_samples, rows_in_contacts_);
   c.columns = result.samples.names().size();
+  c.rows = rows_;
+  c.rows_in_contacts = rows_in_contacts_;
   c.events = result.events.size();
-  Bytes samples, events;
-  for (std::size_t i = rows_ * c.columns; i < c.rows * c.columns; ++i)
-    put(samples, result.samples.data()[i]);
+  Bytes events;
   for (std::size_t i = events_; i < c.events; ++i) {
     const Bytes bytes = encode(result.events[i]);
     events.insert(events.end(), bytes.begin(), bytes.end());
   }
-  samples_crc_.process_bytes(samples.data(), samples.size());
   events_crc_.process_bytes(events.data(), events.size());
-  c.samples_checksum = samples_crc_.get_interim_remainder();
   c.events_checksum = events_crc_.get_interim_remainder();
-  if (!samples.empty()) write_durably(folder_ / sample_file, "ab", samples);
   if (!events.empty()) write_durably(folder_ / event_file, "ab", events);
-  rows_ = c.rows;
   events_ = c.events;
 
   Json json = Json::object();
@@ -384,6 +398,17 @@ void check_interim(const fs::path& path, std::span<const std::uint8_t> bytes,
   if (crc.get_interim_remainder() != expected) refuse(path, "its checksum is wrong, it is damaged");
 }
 
+void take_rows(const fs::path& path, const RowsOnDisk& stored, Table& table) {
+  const std::size_t row = table.names().size() * sizeof(double), size = stored.count * row;
+  const Bytes bytes = read_file(path);
+  if (bytes.size() < size)
+    refuse(path, fmt::format("it is truncated: {} of {} bytes", bytes.size(), size));
+  check_interim(path, {bytes.data(), size}, stored.checksum);
+  for (std::size_t i = 0; i < stored.count; ++i)
+    std::memcpy(table.append(), bytes.data() + i * row, row);
+  fs::resize_file(path, size);
+}
+
 }  // namespace
 
 void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
@@ -391,15 +416,8 @@ void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
   if (c.columns != result.samples.names().size())
     refuse(samples, fmt::format("its rows have {} columns, those of the model {}", c.columns,
                                 result.samples.names().size()));
-  const Bytes rows = read_file(samples);
-  const std::size_t size = c.rows * c.columns * sizeof(double);
-  if (rows.size() < size)
-    refuse(samples, fmt::format("it is truncated: {} of {} bytes", rows.size(), size));
-  check_interim(samples, {rows.data(), size}, c.samples_checksum);
-  for (std::size_t i = 0; i < c.rows; ++i)
-    std::memcpy(result.samples.append(), rows.data() + i * c.columns * sizeof(double),
-                c.columns * sizeof(double));
-  fs::resize_file(samples, size);
+  take_rows(samples, c.rows, result.samples);
+  take_rows(folder / contact_file, c.rows_in_contacts, result.contact_samples);
 
   const Bytes log = read_file(events);
   const std::uint8_t* p = log.data();

@@ -5,8 +5,8 @@
 //   checkpoint.bin   magic, format version, length, CRC-32, then CBOR: everything a run needs to go
 //                    on but its rows. Replaced by renaming, so that at any instant it is whole.
 //   samples.bin      rows of the samples table, raw doubles, appended before checkpoint.bin is
-//   events.bin       renamed; likewise events. What lies beyond the counts of checkpoint.bin was
-//                    written after it and is cut off.
+//   contacts.bin     renamed; likewise rows within contacts, and events. What lies beyond the
+//   events.bin       counts of checkpoint.bin was written after it and is cut off.
 #pragma once
 
 #include <boost/crc.hpp>
@@ -22,6 +22,12 @@
 
 namespace yoke {
 
+/// How much of a file of rows belongs to a checkpoint.
+struct RowsOnDisk {
+  std::size_t count = 0;
+  std::uint32_t checksum = 0;  // of a CRC-32 that goes on
+};
+
 /// Everything a run needs to go on, but its rows.
 struct Checkpoint {
   std::uint64_t model = 0;  // fingerprint
@@ -29,7 +35,7 @@ struct Checkpoint {
   double until = 0.0;
   double relative_tolerance = 0.0;
   std::string formulation;
-  int samples = 0;
+  int samples = 0, contact_rows = 0;
   double every = 0.0;
   long every_events = 0;
   double baumgarte_rate = 0.0;
@@ -45,9 +51,11 @@ struct Checkpoint {
   Summary summary;  // counters of everything before this point
   double window_start = 0.0;
   long window_events = 0;
-  // How much of the two other files belongs to it.
-  std::size_t rows = 0, columns = 0, events = 0;
-  std::uint32_t samples_checksum = 0, events_checksum = 0;
+  // How much of the other files belongs to it.
+  std::size_t columns = 0;
+  RowsOnDisk rows{}, rows_in_contacts{};
+  std::size_t events = 0;
+  std::uint32_t events_checksum = 0;
 };
 
 /// Writes checkpoints of one run.
@@ -62,8 +70,9 @@ class CheckpointWriter {
 
  private:
   std::filesystem::path folder_;
-  std::size_t rows_ = 0, events_ = 0;
-  boost::crc_32_type samples_crc_, events_crc_;
+  RowsOnDisk rows_, rows_in_contacts_;  // written so far
+  std::size_t events_ = 0;
+  boost::crc_32_type events_crc_;
 };
 
 /// The last checkpoint in `folder`, nothing if there is none. Throws ModelError, with the path and

@@ -64,9 +64,9 @@ void Recorder::start(const State& state) {
     ledger_.initial += (is_work_[i] ? -1.0 : 1.0) * state.energy[static_cast<Eigen::Index>(i)];
 }
 
-void Recorder::record(const State& state) {
+void Recorder::record(const State& state, Table& table) {
   check(state);
-  double* row = result_.samples.append();
+  double* row = table.append();
   *row++ = state.t;
   row = record_bodies(state, row);
   row = record_reactions(state, row);

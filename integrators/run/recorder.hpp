@@ -25,7 +25,9 @@ class Recorder {
   const Ledger& ledger() const { return ledger_; }
   void resume(const Ledger& ledger) { ledger_ = ledger; }
   /// Appends one row and updates the worst figures of the summary.
-  void record(const State& state);
+  void record(const State& state) { record(state, result_.samples); }
+  /// The same in a table with the columns of the samples.
+  void record(const State& state, Table& table);
   /// The same without a row: at events.
   void check(const State& state);
 

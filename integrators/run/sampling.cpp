@@ -19,15 +19,44 @@ namespace {
 
 constexpr double largest_drift = 1e4;  // in units of the tolerance; a step errs by about one
 
+std::ptrdiff_t touching(const std::vector<ContactMemory>& contacts) {
+  return std::ranges::count_if(
+      contacts, [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
+}
+
 }  // namespace
+
+void ContactRows::start(const std::vector<ContactMemory>& contacts) {
+  touching_ = touching(contacts);
+  steps_ = 0;
+}
+
+bool ContactRows::begins(const std::vector<ContactMemory>& contacts) {
+  if (!wanted()) return false;
+  const std::ptrdiff_t before = touching_;
+  touching_ = touching(contacts);
+  if (touching_ <= before) return false;
+  steps_ = 0;
+  return true;
+}
+
+bool ContactRows::step() {
+  if (!wanted() || touching_ == 0) return false;
+  ++steps_;
+  long every = 1;
+  for (long dense = wanted_; steps_ > dense; dense *= 2) every *= 2;
+  return steps_ % every == 0;
+}
 
 RunSamples::RunSamples(Dynamics& dynamics, Result& result, const SimulationOptions& options,
                        double begin)
     : dynamics_(dynamics),
-      summary_(result.summary),
+      result_(result),
       options_(options),
       recorder_(dynamics, result, static_cast<std::size_t>(std::max(options.samples, 0))),
+      contact_rows_(options.contact_rows),
       begin_(begin) {
+  if (contact_rows_.wanted()) result.contact_samples = result.samples.every(1);
   result.events.reserve(1024);
 }
 
@@ -44,19 +73,24 @@ double RunSamples::next_time() const {
 Outcome RunSamples::record_up_to(double t, Formulation& formulation, State& scratch) {
   Outcome outcome;
   for (; outcome && next_time() <= t; ++next_)
-    outcome = record_at(next_time(), formulation, scratch);
+    outcome = record_at(next_time(), formulation, scratch, result_.samples);
   return outcome;
 }
 
-Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch) {
+Outcome RunSamples::record_in_contact(double t, Formulation& formulation, State& scratch) {
+  return record_at(t, formulation, scratch, result_.contact_samples);
+}
+
+Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch, Table& table) {
   formulation.interpolate(t, scratch);
   if (Outcome outcome = measure_drift(scratch); !outcome) return outcome;
   if (!dynamics_.project(scratch)) return {false, not_projected_equation(dynamics_, t)};
-  recorder_.record(scratch);
+  recorder_.record(scratch, table);
   return {};
 }
 
 void RunSamples::record_restart(const State& state) {
+  if (contact_rows_.begins(state.contacts)) recorder_.record(state, result_.contact_samples);
   if (next_time() == state.t) {
     recorder_.record(state);
     ++next_;
@@ -72,7 +106,7 @@ void RunSamples::record_end(const State& state) {
 // A formulation after Baumgarte follows a driver that jumps by a motion of its own; projection
 // would then put the mechanism somewhere else.
 Outcome RunSamples::measure_drift(const State& state) {
-  note_drift(dynamics_, state, summary_);
+  note_drift(dynamics_, state, result_.summary);
   const double tolerance = options_.relative_tolerance;
   if (dynamics_.worst_residual() <= largest_drift * tolerance) return {};
   return {false, drifted(dynamics_, state.t, tolerance)};

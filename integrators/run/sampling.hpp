@@ -14,6 +14,24 @@ namespace yoke {
 /// Time [s] of sample i of `samples`, uniform from `start` to `until`, both ends included.
 double sample_time(long i, long samples, double start, double until);
 
+/// Which steps leave a row within contacts: SimulationOptions::contact_rows.
+class ContactRows {
+ public:
+  explicit ContactRows(int wanted) : wanted_(wanted) {}
+  bool wanted() const { return wanted_ > 0; }
+  /// Counts from here, whatever touches.
+  void start(const std::vector<ContactMemory>& contacts);
+  /// At a restart: has a contact begun? Then it counts from here.
+  bool begins(const std::vector<ContactMemory>& contacts);
+  /// At the end of a step: is a row due?
+  bool step();
+
+ private:
+  int wanted_;
+  std::ptrdiff_t touching_ = 0;  // contacts
+  long steps_ = 0;               // since the last of them began
+};
+
 class RunSamples {
  public:
   /// Of a run from `begin` [s]; adds the columns of the model to `result` and reserves its rows.
@@ -26,10 +44,13 @@ class RunSamples {
   long next() const { return next_; }
   /// [s] Time of the next sample; infinity if there is none left.
   double next_time() const;
+  ContactRows& contact_rows() { return contact_rows_; }
 
   /// Records what is due until `t` [s] in the last step of `formulation`. `scratch` has the memory
   /// and the parameters of that step; the system is left bound to it.
   Outcome record_up_to(double t, Formulation& formulation, State& scratch);
+  /// Records a row within a contact at t [s], likewise.
+  Outcome record_in_contact(double t, Formulation& formulation, State& scratch);
   /// Records a state (projected) at which the integrator starts: a row if a sample is due there.
   void record_restart(const State& state);
   /// The row with which a run that is ended by an event ends.
@@ -38,12 +59,13 @@ class RunSamples {
   Outcome measure_drift(const State& state);
 
  private:
-  Outcome record_at(double t, Formulation& formulation, State& scratch);
+  Outcome record_at(double t, Formulation& formulation, State& scratch, Table& table);
 
   Dynamics& dynamics_;
-  Summary& summary_;
+  Result& result_;
   const SimulationOptions& options_;
   Recorder recorder_;
+  ContactRows contact_rows_;
   double begin_;
   long next_ = 0;  // number of the next sample
 };

@@ -189,7 +189,7 @@ TEST_SUITE("scotch-yoke") {
     CHECK(crossing->to * degrees < 109.0);
     CHECK(crossing->landing_speed == doctest::Approx(0.18).epsilon(0.15));
 
-    const auto spells = contact_spells(run, 0.0, choices.end_time());
+    const auto spells = contact_spells(run, run.samples, 0.0, choices.end_time());
     CHECK(spells.front().region == "outer");
     CHECK(!spells.front().crossed);
     const auto inner = std::ranges::find(spells, "inner", &ContactSpell::region);

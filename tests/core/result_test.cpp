@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -55,6 +56,24 @@ class FullDisk {
 };
 
 }  // namespace
+
+TEST_CASE("merged tables rise in time, of rows at one time the first table's alone") {
+  const auto table = [](std::initializer_list<std::array<double, 2>> rows) {
+    Table t;
+    t.add_column("t", "s");
+    t.add_column("x", "m");
+    for (const auto& row : rows) std::ranges::copy(row, t.append());
+    return t;
+  };
+  const Table a = table({{0.0, 1.0}, {1.0, 2.0}, {2.0, 3.0}});
+  const Table b = table({{0.5, 10.0}, {1.0, 20.0}, {1.0, 21.0}, {1.5, 30.0}, {2.5, 40.0}});
+  const Table both = a.merged(b);
+  CHECK(both.names() == a.names());
+  CHECK(both.data() == std::vector{0.0, 1.0, 0.5, 10.0, 1.0, 2.0, 1.5, 30.0, 2.0, 3.0, 2.5, 40.0});
+  CHECK(both.rows() == 6);
+  CHECK(a.merged(table({})).data() == a.data());
+  CHECK(table({}).merged(b).rows() == 5);
+}
 
 TEST_CASE("column names carry units as identifiers") {
   Table table;

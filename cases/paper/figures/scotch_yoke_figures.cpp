@@ -90,7 +90,8 @@ bool is_outer(std::string_view region) { return region == "outer" || region == "
 /// The contact that begins with the pin's landing on the outer wall: one contact and rebound,
 /// at nearly the same speed for every law. False if there is none.
 bool write_loop(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
-  const auto spells = contact_spells(run, choices.last_revolution_start(), choices.end_time());
+  const auto spells =
+      contact_spells(run, run.samples, choices.last_revolution_start(), choices.end_time());
   const auto landing = std::ranges::find_if(spells, [](const ContactSpell& s) {
     return s.crossed && is_outer(s.region) && s.last > s.first;
   });

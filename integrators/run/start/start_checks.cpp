@@ -47,6 +47,9 @@ void check_options(const SimulationOptions& options, double t_start) {
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
+  if (options.contact_rows < 0)
+    throw ModelError(fmt::format("simulation: contact_rows = {} must be 0 (none) or greater",
+                                 options.contact_rows));
   check_checkpoints(options.checkpoints);
   check_checkpoint_interval(options.checkpoints.every, options.until - t_start);
   const std::tuple<const char*, double, const char*> sizes[] = {
@@ -101,6 +104,7 @@ void check_checkpoint(const Model& model, const SimulationOptions& options, cons
   same("relative_tolerance", options.relative_tolerance, c.relative_tolerance);
   if (options.formulation != "automatic") same("formulation", options.formulation, c.formulation);
   same("samples", options.samples, c.samples);
+  same("contact_rows", options.contact_rows, c.contact_rows);
   same("checkpoints.every", options.checkpoints.every, c.every);
   same("checkpoints.every_events", options.checkpoints.every_events, c.every_events);
 }

@@ -110,6 +110,20 @@ TEST_SUITE("job") {
     CHECK(yoke::tests::contains(comparison, "a.peak_force_N"));
   }
 
+  TEST_CASE("the hardest contact is drawn whole, however few rows a run has") {
+    const yoke::tests::TemporaryFolder scratch;
+    Case c = marbles();
+    c.recorded_rows = [](const Parameters&) { return 2.0; };
+    RunRequest request = request_for(c, scratch / "out", {});
+    request.samples = 21;
+    request.plots = true;
+    REQUIRE(run_case(c, request) == RunStatus::completed);
+    std::ifstream file(scratch / "out/plots/hardest-linear.csv");
+    int lines = 0;
+    for (std::string line; std::getline(file, line);) ++lines;
+    CHECK(lines > 30);
+  }
+
   TEST_CASE("plots of any case: their data, a script a figure") {
     const yoke::tests::TemporaryFolder scratch;
     const Case c = marbles();

@@ -54,7 +54,7 @@ std::vector<CurveSlot> all_slots() {
   for (const SlotEnd end : {SlotEnd::flat, SlotEnd::open}) {
     slots.push_back(along(s_bend()));
     slots.back().end = end;
-    slots.back().edge_radius = 1e-3;
+    if (end == SlotEnd::open) slots.back().edge_radius = 1e-3;
   }
   slots.push_back(along(circle({0.01, 0.02}, 0.05)));
   slots.push_back(along(polyline({{0.0, 0.0}, {0.1, 0.0}, {0.1, 0.08}, {0.0, 0.08}},
@@ -262,6 +262,23 @@ TEST_CASE("what cannot be milled is refused, with where and why") {
   wide.half_width = -1.0;
   CHECK(contains(refusal(wide), "half_width = -1 m must be finite and greater than 0 m"));
   CHECK(contains(refusal(along(straight_line({0.0, 0.0}, {1.0, 0.0}))), "finite length"));
+}
+
+TEST_CASE("ends and edges that a slot does not have are refused, not ignored") {
+  const auto refusal = [](const CurveSlot& slot) {
+    return message_of([&] { curve_slot(slot).check("slot 's'", pin); });
+  };
+  CurveSlot slot = along(s_bend());
+  slot.edge_radius = 2e-3;
+  CHECK(contains(refusal(slot), "slot 's': edge_radius = 0.002 m is of the edges at open ends"));
+  slot.start = SlotEnd::flat;
+  CHECK(contains(refusal(slot), "neither start nor end is SlotEnd::open; accepted is 0"));
+  slot.end = SlotEnd::open;
+  CHECK(refusal(slot) == "no error");
+  CurveSlot ring = along(circle({0.01, 0.02}, 0.05));
+  CHECK(refusal(ring) == "no error");
+  ring.end = SlotEnd::open;
+  CHECK(contains(refusal(ring), "slot 's': the centreline is closed and has no ends"));
 }
 
 TEST_CASE("walls that would have a cusp are refused however short it is, nearly one is not") {

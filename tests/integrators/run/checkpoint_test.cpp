@@ -32,6 +32,7 @@ SimulationOptions options(const fs::path& folder, std::string_view formulation =
           .relative_tolerance = 1e-7,
           .formulation = std::string(formulation),
           .samples = 301,
+          .contact_rows = 3,
           .checkpoints = {.folder = folder, .every = 0.0017}};
 }
 
@@ -41,6 +42,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 
 void check_same(const Result& a, const Result& b) {
   CHECK(same_bits(a.samples.data(), b.samples.data()));
+  CHECK(same_bits(a.contact_samples.data(), b.contact_samples.data()));
   REQUIRE(a.events.size() == b.events.size());
   for (std::size_t i = 0; i < a.events.size(); ++i) {
     CHECK(a.events[i].t == b.events[i].t);
@@ -81,6 +83,7 @@ TEST_CASE("a run that is taken up gives the same bits as the one that was not in
       const Result reference = simulate(model, o);
       REQUIRE(reference.summary.ok());
       REQUIRE(reference.events.size() > 8);
+      REQUIRE(reference.contact_samples.rows() > 20);
       o.checkpoints.folder = cut_short.path();
       for (const double part : {0.05, 0.4, 0.8}) {
         const long step = static_cast<long>(part * static_cast<double>(reference.summary.steps));
@@ -162,7 +165,7 @@ TEST_CASE(
   const Result reference = simulate(model, options(whole.path()));
   interrupted_run(model, options(patched.path()), reference.summary.steps / 5);
   for (int i = 2; i < 5; ++i) {
-    for (const char* name : {"samples.bin", "events.bin"})
+    for (const char* name : {"samples.bin", "contacts.bin", "events.bin"})
       std::ofstream(patched / name, std::ios::app | std::ios::binary) << "rows of a step "
                                                                          "that was killed";
     const long step = i * reference.summary.steps / 5;
@@ -217,7 +220,7 @@ TEST_CASE(
   CHECK_THROWS_WITH_AS(resume(model, folder.path()), doctest::Contains("version 99"), ModelError);
 
   put_back(bytes);
-  for (const char* name : {"samples.bin", "events.bin"}) {
+  for (const char* name : {"samples.bin", "contacts.bin", "events.bin"}) {
     std::fstream log(folder / name, std::ios::in | std::ios::out | std::ios::binary);
     log.seekg(37);
     const auto byte = static_cast<char>(log.get());
