@@ -303,10 +303,13 @@ void write_portraits(const LawRun& run, DrawnRun& drawn, const Path& folder) {
 
 constexpr const char* time_axis = "  set xlabel 'time [s]'\n";
 
-constexpr double bottom_margin = 70.0, top_margin = 50.0;  // [pixels]
+/// A title over a figure; print has it in the caption.
+std::string heading(const Sheet& sheet, const std::string& title) {
+  return sheet.print() ? "" : fmt::format("  set title {} noenhanced\n", gnuplot_text(title));
+}
 
-double panel_height(std::size_t panels) {
-  return top_margin + bottom_margin + (panels > 3 ? 170.0 : 270.0) * static_cast<double>(panels);
+std::string multiplot_title(const Sheet& sheet, const std::string& title) {
+  return sheet.print() ? "" : fmt::format(" title {} noenhanced", gnuplot_text(title));
 }
 
 /// Panels one above the other over the time, each with a label and lines.
@@ -317,23 +320,109 @@ struct Panel {
   double top = 0.0;  // of an axis that starts at 0; 0: chosen by the lines
 };
 
-/// `legend`: lines are named beside the panels, once if they are the same in all; else each panel
-/// names its own inside.
-std::string panels(const std::string& title, const std::vector<Panel>& all, bool legend) {
+/// [pixels] A name of this many characters with its sample of line.
+double key_width(std::size_t characters) { return 50.0 + 8.0 * static_cast<double>(characters); }
+
+constexpr double key_line = 19.0;  // [pixels]
+
+/// [pixels] Margins beside the panels in print.
+constexpr double print_left = 92.0, print_right = 18.0;
+
+/// Where lines are named: beside the panels, below them in rows, or by each panel inside.
+struct Legend {
+  enum class Place { beside, below, inside } place = Place::inside;
+  double width = 0.0;       // [pixels] of the longest name
+  std::size_t columns = 1;  // below
+
+  Legend(const Sheet& sheet, const std::vector<Panel>& all, bool outside) {
+    if (!outside) return;
+    std::size_t longest = 0;
+    for (const Panel& panel : all)
+      for (const std::string& name : panel.names) longest = std::max(longest, name.size());
+    width = key_width(longest);
+    const bool beside = !sheet.print() || (!sheet.narrow() && width <= 0.3 * sheet.width);
+    place = beside ? Place::beside : Place::below;
+    // gnuplot makes no more columns than fit under the plot.
+    const double room = sheet.width - print_left - print_right;
+    columns = static_cast<std::size_t>(std::max(1.0, std::floor(room / width)));
+  }
+  bool below() const { return place == Place::below; }
+  /// [pixels] Rows for the names of a panel.
+  double height(const Panel& panel) const {
+    const std::size_t rows = (panel.names.size() + columns - 1) / columns;
+    return below() ? key_line * static_cast<double>(rows) : 0.0;
+  }
+};
+
+/// A panel whose lines have the names of the one above needs none.
+bool names_again(const std::vector<Panel>& all, std::size_t i) {
+  return i > 0 && all[i].names == all[i - 1].names;
+}
+
+/// Margins around all panels and what they enclose [pixels].
+struct PanelLayout {
+  double left, right, top, bottom, height;
+
+  PanelLayout(const Sheet& sheet, const std::vector<Panel>& all, const Legend& legend)
+      : left(sheet.print() ? print_left : 132.0),
+        right(legend.place == Legend::Place::beside
+                  ? std::max(legend.width + 12.0, 0.2 * sheet.width)
+              : sheet.print() ? print_right
+                              : 0.03 * sheet.width),
+        top(sheet.print() ? 14.0 : 50.0),
+        bottom(legend.below()  ? 66.0
+               : sheet.print() ? 58.0
+                               : 70.0) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!names_again(all, i)) bottom += legend.height(all[i]);
+    const double panel = !sheet.print()   ? (all.size() > 3 ? 170.0 : 270.0)
+                         : all.size() > 6 ? 100.0
+                         : all.size() > 3 ? 140.0
+                                          : 180.0;
+    height = top + bottom + panel * static_cast<double>(all.size());
+  }
+};
+
+/// The named lines of panel `i`, in its place.
+std::string panel_key(const std::vector<Panel>& all, std::size_t i, const Legend& legend,
+                      double height) {
+  if (legend.place == Legend::Place::inside) return "";
+  if (names_again(all, i)) return "  unset key\n";
+  if (!legend.below()) return i > 0 ? "  set key on\n" : "";
+  double above_bottom = 2.0;
+  for (std::size_t k = i + 1; k < all.size(); ++k)
+    if (!names_again(all, k)) above_bottom += legend.height(all[k]);
+  return fmt::format("  set key on at screen 0.5,{:.4g} bottom center horizontal maxcols {}\n",
+                     above_bottom / height, legend.columns);
+}
+
+/// `outside`: lines are named beside or below the panels, once if they are the same in all; else each
+/// panel names its own inside.
+Figure panel_figure(const Sheet& sheet, const std::string& name, const std::string& title,
+                    const std::vector<Panel>& all, bool outside = true) {
+  const Legend legend(sheet, all, outside);
+  const PanelLayout page(sheet, all, legend);
+  const auto share = [](double part, double whole) { return part / whole; };
   std::string body = fmt::format(
-      "  set multiplot layout {},1 margins 0.11,{},{:.4g},{:.4g} spacing 0,0.02 title {} noenhanced\n"
+      "  set multiplot layout {},1 margins {:.4g},{:.4g},{:.4g},{:.4g} spacing 0,{:.3g}{}\n"
       "  set key noenhanced; set xtics format ''; unset xlabel; set autoscale xfix\n",
-      all.size(), legend ? 0.8 : 0.97, bottom_margin / panel_height(all.size()),
-      1.0 - top_margin / panel_height(all.size()), gnuplot_text(title));
-  if (!legend) body += "  set key inside top right opaque\n";
+      all.size(), share(page.left, sheet.width), 1.0 - share(page.right, sheet.width),
+      share(page.bottom, page.height), 1.0 - share(page.top, page.height),
+      sheet.print() ? 16.0 / page.height : 0.02, multiplot_title(sheet, title));
+  if (!outside) body += "  set key inside top right opaque\n";
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i + 1 == all.size()) body += fmt::format("  set xtics format '%g'\n{}", time_axis);
-    if (legend && i > 0 && all[i].names == all[i - 1].names) body += "  unset key\n";
-    body += fmt::format("  set ylabel {} noenhanced\n", gnuplot_text(all[i].label)) +
+    body += panel_key(all, i, legend, page.height) +
+            fmt::format("  set ylabel {} noenhanced\n", gnuplot_text(all[i].label)) +
             (all[i].top > 0.0 ? fmt::format("  set yrange [0:{:.3g}]\n", all[i].top) : "") +
             plot(all[i].lines) + (all[i].top > 0.0 ? "  set autoscale y\n" : "");
   }
-  return body + "  unset multiplot";
+  return {.name = name,
+          .title = title,
+          .width = sheet.width,
+          .height = static_cast<int>(page.height),
+          .body = body + "  unset multiplot",
+          .sheet = sheet};
 }
 
 /// One line of a panel: a column of a file, by its name.
@@ -351,28 +440,20 @@ Panel body_panel(const DrawnRun& run, const std::string& label, const char* quan
   return panel;
 }
 
-Figure panel_figure(const std::string& name, const std::string& title,
-                    const std::vector<Panel>& all, bool legend = true) {
-  return {.name = name,
-          .title = title,
-          .height = static_cast<int>(panel_height(all.size())),
-          .body = panels(title, all, legend)};
-}
-
-Figure energy_figure(const DrawnRun& run, const std::string& title) {
+Figure energy_figure(const Sheet& sheet, const DrawnRun& run, const std::string& title) {
   const std::string file = data_file("motion", run);
-  Panel terms{"energy [J]", {}, run.energies}, balance{"balance [J]", {}, {"balance"}};
-  std::size_t i = 0;
-  for (const std::string& energy : run.energies)
-    terms.lines.push_back(
-        line(file, energy + "_J", energy == "stored" ? "stored in contacts" : energy, i++));
-  balance.lines.push_back(line(file, "balance_J", "error of the balance", i));
-  return panel_figure("energy", title, {terms, balance});
+  Panel terms{"energy [J]", {}}, balance{"balance [J]", {}, {"error of the balance"}};
+  for (const std::string& energy : run.energies) {
+    terms.names.push_back(energy == "stored" ? "stored in contacts" : energy);
+    terms.lines.push_back(line(file, energy + "_J", terms.names.back(), terms.lines.size()));
+  }
+  balance.lines.push_back(line(file, "balance_J", balance.names.front(), terms.lines.size()));
+  return panel_figure(sheet, "energy", title, {terms, balance});
 }
 
 /// A panel for each law, all with the same axis: bouncing curves on one axis hide each other.
-Figure law_panels(const std::string& name, const std::string& title, const std::string& label,
-                  const std::vector<DrawnRun>& runs, const char* column) {
+Figure law_panels(const Sheet& sheet, const std::string& name, const std::string& title,
+                  const std::string& label, const std::vector<DrawnRun>& runs, const char* column) {
   std::vector<Panel> all;
   for (const DrawnRun& run : runs) {
     Panel panel{label, {}};
@@ -385,7 +466,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
     }
     all.push_back(panel);
   }
-  Figure figure = panel_figure(name, title, all, false);
+  Figure figure = panel_figure(sheet, name, title, all, false);
   // The largest value of all laws bounds every panel.
   std::string range = "  top = 0\n";
   for (const DrawnRun& run : runs)
@@ -393,6 +474,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
       range +=
           fmt::format("  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
                       gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
+  if (sheet.print()) range += "  if (top > 0) { set ytics round_step(top/4) }\n";
   // Room for the names above the peaks.
   const std::size_t names = runs.front().contacts.size();
   figure.body = range +
@@ -403,7 +485,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
 }
 
 /// Paths of bodies, y over x, both on one scale; a ring where each starts.
-Figure path_figure(const DrawnRun& run, const std::string& title) {
+Figure path_figure(const Sheet& sheet, const DrawnRun& run, const std::string& title) {
   const std::string file = data_file("path", run);
   Texts lines;
   for (std::size_t i = 0; i < run.paths.size(); ++i) {
@@ -416,48 +498,59 @@ Figure path_figure(const DrawnRun& run, const std::string& title) {
                                 columns, colours[i % colours.size()]));
   }
   const PathBox& box = run.path_box;
-  constexpr double left = 0.09, right = 0.82;  // of the width, the legend beside
-  constexpr int width = 1000, above = 50, below = 60;
-  const double inner = (right - left) * width * (box.y_high - box.y_low) / (box.x_high - box.x_low);
-  const int height = above + below + static_cast<int>(inner);
+  std::vector<Panel> named = {{"", {}, run.paths}};
+  const Legend legend(sheet, named, true);
+  const double width = sheet.print() ? sheet.width : 1000.0, left = 90.0,
+               right = legend.below() ? 16.0 : std::max(legend.width, 0.18 * width),
+               above = sheet.print() ? 14.0 : 50.0, below = 60.0 + legend.height(named.front());
+  const double inner = (width - left - right) * (box.y_high - box.y_low) / (box.x_high - box.x_low);
+  const double height = above + below + inner;
   return {.name = "path",
           .title = title,
-          .width = width,
-          .height = height,
-          .body = fmt::format("  set title {} noenhanced; set key noenhanced outside right top\n"
-                              "  set size ratio -1\n"
-                              "  set margins screen {}, screen {}, screen {:.4f}, screen {:.4f}\n"
-                              "  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
-                              "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
-                              gnuplot_text(title), left, right, below / static_cast<double>(height),
-                              1.0 - above / static_cast<double>(height), box.x_low, box.x_high,
-                              box.y_low, box.y_high, plot(lines))};
+          .width = static_cast<int>(width),
+          .height = static_cast<int>(height),
+          .body = heading(sheet, title) +
+                  fmt::format(
+                      "  set key noenhanced {}\n  set size ratio -1\n"
+                      "  set margins screen {:.4f}, screen {:.4f}, screen {:.4f}, screen {:.4f}\n"
+                      "  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
+                      "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
+                      legend.below()
+                          ? fmt::format("at screen 0.5,{:.4g} bottom center horizontal maxcols {}",
+                                        2.0 / height, legend.columns)
+                          : "outside right top",
+                      left / width, 1.0 - right / width, below / height, 1.0 - above / height,
+                      box.x_low, box.x_high, box.y_low, box.y_high, plot(lines)),
+          .sheet = sheet};
 }
 
-Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
+Figure hysteresis(const Sheet& sheet, const std::vector<DrawnRun>& runs, const std::string& title) {
   Texts lines;
   for (std::size_t i = 0; i < runs.size(); ++i)
     lines.push_back(fmt::format("{} using \"penetration_um\":\"force_N\" title {} {}",
                                 gnuplot_text(data_file("hardest", runs[i])),
                                 gnuplot_text(runs[i].law.empty() ? "contact" : runs[i].law),
                                 style(i)));
-  return {.name = "hysteresis",
-          .title = title,
-          .width = 1000,
-          .height = 700 + 20 * static_cast<int>(runs.size()),
-          .body = fmt::format(
-              "  set key noenhanced below left vertical maxcols 1; set title {} noenhanced\n"
+  return {
+      .name = "hysteresis",
+      .title = title,
+      .width = sheet.print() ? sheet.width : 1000,
+      .height = (sheet.print() ? sheet.width * 7 / 10 : 700) + 20 * static_cast<int>(runs.size()),
+      .body = heading(sheet, title) +
+              "  set key noenhanced below left vertical maxcols 1\n"
               "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
-              "  set xrange [0:*]; set yrange [0:*]\n{}",
-              gnuplot_text(title), plot(lines))};
+              "  set xrange [0:*]; set yrange [0:*]\n" +
+              plot(lines),
+      .sheet = sheet};
 }
 
 /// A portrait of each run, side by side with the same axes.
-Figure portrait_figure(const std::string& case_name, const std::vector<DrawnRun>& runs,
-                       std::size_t which) {
+Figure portrait_figure(const Sheet& sheet, const std::string& case_name,
+                       const std::vector<DrawnRun>& runs, std::size_t which) {
   const Portrait& portrait = runs.front().portraits[which];
   const std::string title = case_name + ": " + portrait.title;
-  const std::size_t columns = std::min<std::size_t>(runs.size(), 3),
+  const std::size_t most = sheet.narrow() ? (runs.size() > 3 ? 2 : 1) : 3,
+                    columns = std::min(runs.size(), most),
                     rows = (runs.size() + columns - 1) / columns;
   std::string reach = "  xl = yl = 1e300; xh = yh = -1e300\n", plots;
   for (const DrawnRun& run : runs) {
@@ -479,21 +572,28 @@ Figure portrait_figure(const std::string& case_name, const std::vector<DrawnRun>
     plots += fmt::format("  set title {} noenhanced\n{}{}", gnuplot_text(run.law),
                          all.size() == 1 ? "  unset key\n" : "", plot(lines));
   }
+  const int across = static_cast<int>(columns), down = static_cast<int>(rows);
+  int width = across == 1 ? 800 : 80 + 520 * across, height = across == 1 ? 760 : 90 + 540 * down;
+  if (sheet.print()) {
+    width = sheet.width;
+    height = down * (across == 1 && !sheet.narrow() ? width * 7 / 10 : width / across + 20);
+  }
   return {
       .name = portrait.name,
       .title = title,
-      .width = columns == 1 ? 800 : 80 + 520 * static_cast<int>(columns),
-      .height = columns == 1 ? 760 : 90 + 540 * static_cast<int>(rows),
+      .width = width,
+      .height = height,
       .body = reach + fmt::format("  dx = 0.05*(xh - xl) + 1e-12*abs(xh); dy = 0.05*(yh - yl) + "
                                   "1e-12*abs(yh)\n"
                                   "  set xrange [xl - dx:xh + dx]; set yrange [yl - dy:yh + dy]\n"
-                                  "  set multiplot layout {},{} title {} noenhanced\n"
+                                  "  set multiplot layout {},{}{}\n"
                                   "  set key noenhanced below center horizontal\n  set bmargin 6\n"
                                   "  set xlabel {} noenhanced; set ylabel {} noenhanced\n{}{}"
                                   "  unset multiplot",
-                                  rows, columns, gnuplot_text(title),
+                                  rows, columns, multiplot_title(sheet, title),
                                   gnuplot_text(portrait.x_label), gnuplot_text(portrait.y_label),
-                                  portrait.equal_scales ? "  set size ratio -1\n" : "", plots)};
+                                  portrait.equal_scales ? "  set size ratio -1\n" : "", plots),
+      .sheet = sheet};
 }
 
 }  // namespace
@@ -520,7 +620,7 @@ DrawnRun write_standard_data(const LawRun& run, const Path& folder, const Texts&
 }
 
 std::vector<Figure> standard_figures(const std::string& case_name,
-                                     const std::vector<DrawnRun>& runs) {
+                                     const std::vector<DrawnRun>& runs, const Sheet& sheet) {
   const DrawnRun& first = runs.front();
   const auto title = [&](const std::string& what) {
     return case_name + ": " + what + (first.law.empty() ? "" : ", " + first.law);
@@ -528,9 +628,9 @@ std::vector<Figure> standard_figures(const std::string& case_name,
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const std::string& what,
                        const std::vector<Panel>& all) {
-    figures.push_back(panel_figure(name, title(what), all));
+    figures.push_back(panel_figure(sheet, name, title(what), all));
   };
-  if (!first.paths.empty()) figures.push_back(path_figure(first, title("paths")));
+  if (!first.paths.empty()) figures.push_back(path_figure(sheet, first, title("paths")));
   const auto bodies = [&](const std::string& name, const std::string& what,
                           std::initializer_list<std::array<const char*, 2>> quantities) {
     std::vector<Panel> all;
@@ -557,16 +657,16 @@ std::vector<Figure> standard_figures(const std::string& case_name,
   if (!reactions.empty()) reactions.back().top = first.force_top;
   joints(first.moments, "moment [N m]", ".moment_N_m");
   if (!reactions.empty()) add("reactions", "reactions of the joints", reactions);
-  figures.push_back(energy_figure(first, title("energy")));
+  figures.push_back(energy_figure(sheet, first, title("energy")));
   if (!first.contacts.empty()) {
-    figures.push_back(
-        law_panels("contact_force", case_name + ": contact force", "[N]", runs, ".normal_force_N"));
-    figures.push_back(
-        law_panels("penetration", case_name + ": penetration", "[µm]", runs, ".penetration_um"));
-    figures.push_back(hysteresis(runs, case_name + ": the contact with the largest force"));
+    figures.push_back(law_panels(sheet, "contact_force", case_name + ": contact force", "[N]", runs,
+                                 ".normal_force_N"));
+    figures.push_back(law_panels(sheet, "penetration", case_name + ": penetration", "[µm]", runs,
+                                 ".penetration_um"));
+    figures.push_back(hysteresis(sheet, runs, case_name + ": the contact with the largest force"));
   }
   for (std::size_t i = 0; i < first.portraits.size(); ++i)
-    figures.push_back(portrait_figure(case_name, runs, i));
+    figures.push_back(portrait_figure(sheet, case_name, runs, i));
   return figures;
 }
 
