@@ -51,6 +51,9 @@ try {
   check("opens in less than 2 s", seconds < 2, `${seconds} s`);
   check("is smaller than 7.5 MB", statSync(page).size < 7.5e6, `${statSync(page).size} bytes`);
 
+  const rows = await chrome.evaluate(`(() => { const box = document.getElementById("contacts"), last = box.querySelector("tbody tr:nth-last-child(2)");
+    return last.offsetTop + last.offsetHeight - box.clientHeight; })()`);
+  check("the table of contacts is full from the start", rows >= 0, `${rows} px beyond its box`);
   const before = await look("mechanism"), start = await app("app.time");
   await clickOn("#play");
   await wait(700);
@@ -243,6 +246,8 @@ try {
     await app("app.buildAll()");
     check(`${name}: opens in less than 2 s`, opened < 2, `${opened} s, ${statSync(file).size} bytes`);
     check(`${name}: smaller than 15 MB, without an error`, statSync(file).size < 15e6 && chrome.messages.length === 0, chrome.messages.join("; "));
+    const choices = "['run-choice', 'run-chips', 'side-label', 'difference-label'].every((id) => (document.getElementById(id).offsetHeight > 0) === (app.runs.length > 1))";
+    check(`${name}: a choice of runs only where there are several`, await app(choices), await app("app.runs.length"));
     const drawn = await chrome.evaluate("new Set(window.yoke.app.run.drawing.shapes.map((s) => s.element)).size");
     check(`${name}: elements are drawn`, drawn > 1, drawn);
     await picture(name);

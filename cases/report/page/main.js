@@ -96,7 +96,6 @@ class App {
     this.speed = run.moves ? this.fittingSpeed(run) : 1;
     fillSelect($("speed"), [...new Set([...speeds, this.speed])].sort((a, b) => b - a).map((s) => [String(s), speedText(s)]), String(this.speed));
     $("bar").hidden = !run.moves;
-    $("bar").style.display = run.moves ? "" : "none";
     $("plots-section").hidden = !run.moves;
     $("linked").className = run.moves ? "" : "alone";
     this.table.load(run);

@@ -3,6 +3,7 @@
 //
 // Contacts and other events, summary, parameters, and how to make the run again.
 
+const highestTable = 420;  // [px] of the table of contacts, as in the style
 const rowHeight = 24;  // [px] of the table of contacts, of which only what is seen exists
 
 class EventTable {
@@ -29,7 +30,8 @@ class EventTable {
     this.draw();
   }
   draw() {
-    const visible = Math.ceil((this.box.clientHeight || 420) / rowHeight) + 2;
+    // Without its rows the box is not as high as it may become.
+    const visible = Math.ceil(Math.max(this.box.clientHeight, highestTable) / rowHeight) + 2;
     const first = Math.max(0, Math.min(Math.floor(this.box.scrollTop / rowHeight) - 1, this.rows.length - visible));
     const rows = this.rows.slice(first, first + visible).map((row, k) => {
       const tr = make("tr", {className: first + k === this.current ? "jump now" : "jump", tabIndex: 0},
