@@ -375,10 +375,12 @@ struct PanelLayout {
                                : 70.0) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (!names_again(all, i)) bottom += legend.height(all[i]);
-    const double panel = !sheet.print()   ? (all.size() > 3 ? 170.0 : 270.0)
-                         : all.size() > 6 ? 100.0
-                         : all.size() > 3 ? 140.0
-                                          : 180.0;
+    double panel = all.size() > 3 ? 170.0 : 270.0;
+    if (sheet.print()) {
+      panel = all.size() > 6 ? 100.0 : all.size() > 3 ? 140.0 : 180.0;
+      if (legend.place == Legend::Place::inside)  // room for all names
+        panel = std::max(panel, 60.0 + key_line * static_cast<double>(all.front().lines.size()));
+    }
     height = top + bottom + panel * static_cast<double>(all.size());
   }
 };
