@@ -301,8 +301,8 @@ ContactLaw make_normal_law(const ContactChoice& contact, const Parameters& param
   if (!is_dissipative(second.name)) {
     Texts known = dissipative_names();
     for (const std::string& name : friction_names()) known.push_back(name);
-    throw ModelError(fmt::format("unknown dissipative law, or friction law, '{}'{}", second.name,
-                                 suggestion(second.name, known)));
+    throw ModelError(
+        fmt::format("unknown dissipative law '{}'{}", second.name, suggestion(second.name, known)));
   }
   if (find_plus(second.arguments) != std::string_view::npos)
     throw ModelError(fmt::format(

@@ -82,8 +82,8 @@ void write_hardest(const LawRun& run, const std::filesystem::path& path) {
 }
 
 /// A panel for each law, all with the same axis: bouncing curves on one axis hide each other.
-Figure law_panels(const std::string& name, const std::string& title, const std::string& label,
-                  const std::vector<DrawnRun>& runs, const char* column) {
+Figure law_panels(const Sheet& sheet, const std::string& name, const std::string& title,
+                  const std::string& label, const std::vector<DrawnRun>& runs, const char* column) {
   std::vector<Panel> all;
   for (const DrawnRun& run : runs) {
     Panel panel{label, {}};
@@ -96,7 +96,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
     }
     all.push_back(panel);
   }
-  Figure figure = panel_figure(name, title, all, false);
+  Figure figure = panel_figure(sheet, name, title, all, false);
   // The largest value of all laws bounds every panel.
   std::string range = "  top = 0\n";
   for (const DrawnRun& run : runs)
@@ -104,6 +104,7 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
       range +=
           fmt::format("  stats {} using {} nooutput; top = STATS_max > top ? STATS_max : top\n",
                       gnuplot_text(data_file("contact", run)), gnuplot_text(c.element + column));
+  if (sheet.print()) range += "  if (top > 0) { set ytics round_step(top/4) }\n";
   // Room for the names above the peaks.
   const std::size_t names = runs.front().contacts.size();
   figure.body = range +
@@ -113,22 +114,24 @@ Figure law_panels(const std::string& name, const std::string& title, const std::
   return figure;
 }
 
-Figure hysteresis(const std::vector<DrawnRun>& runs, const std::string& title) {
+Figure hysteresis(const Sheet& sheet, const std::vector<DrawnRun>& runs, const std::string& title) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < runs.size(); ++i)
     lines.push_back(fmt::format("{} using \"penetration_um\":\"force_N\" title {} {}",
                                 gnuplot_text(data_file("hardest", runs[i])),
                                 gnuplot_text(runs[i].law.empty() ? "contact" : runs[i].law),
                                 line_style(i)));
-  return {.name = "hysteresis",
-          .title = title,
-          .width = 1000,
-          .height = 700 + 20 * static_cast<int>(runs.size()),
-          .body = fmt::format(
-              "  set key noenhanced below left vertical maxcols 1; set title {} noenhanced\n"
+  return {
+      .name = "hysteresis",
+      .title = title,
+      .width = sheet.print() ? sheet.width : 1000,
+      .height = (sheet.print() ? sheet.width * 7 / 10 : 700) + 20 * static_cast<int>(runs.size()),
+      .body = heading(sheet, title) +
+              "  set key noenhanced below left vertical maxcols 1\n"
               "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
-              "  set xrange [0:*]; set yrange [0:*]\n{}",
-              gnuplot_text(title), plot_of(lines))};
+              "  set xrange [0:*]; set yrange [0:*]\n" +
+              plot_of(lines),
+      .sheet = sheet};
 }
 
 }  // namespace
@@ -140,13 +143,14 @@ void write_contact_data(const LawRun& run, const std::filesystem::path& folder, 
   write_hardest(run, folder / data_file("hardest", drawn));
 }
 
-std::vector<Figure> contact_figures(const std::string& case_name,
-                                    const std::vector<DrawnRun>& runs) {
+std::vector<Figure> contact_figures(const std::string& case_name, const std::vector<DrawnRun>& runs,
+                                    const Sheet& sheet) {
   if (runs.front().contacts.empty()) return {};
-  return {
-      law_panels("contact_force", case_name + ": contact force", "[N]", runs, ".normal_force_N"),
-      law_panels("penetration", case_name + ": penetration", "[µm]", runs, ".penetration_um"),
-      hysteresis(runs, case_name + ": the contact with the largest force")};
+  return {law_panels(sheet, "contact_force", case_name + ": contact force", "[N]", runs,
+                     ".normal_force_N"),
+          law_panels(sheet, "penetration", case_name + ": penetration", "[µm]", runs,
+                     ".penetration_um"),
+          hysteresis(sheet, runs, case_name + ": the contact with the largest force")};
 }
 
 }  // namespace yoke::cases

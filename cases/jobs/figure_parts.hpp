@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -44,10 +45,29 @@ struct Panel {
 std::string panel_line(const std::string& file, const std::string& column, const std::string& title,
                        std::size_t i);
 
-/// `legend`: lines are named beside the panels, once if they are the same in all; else each panel
-/// names its own inside.
-Figure panel_figure(const std::string& name, const std::string& title,
-                    const std::vector<Panel>& all, bool legend = true);
+/// `outside`: lines are named beside or below the panels, once if they are the same in all; else each
+/// panel names its own inside.
+Figure panel_figure(const Sheet& sheet, const std::string& name, const std::string& title,
+                    const std::vector<Panel>& all, bool outside = true);
+
+/// A title over a figure; print has it in the caption.
+std::string heading(const Sheet& sheet, const std::string& title);
+std::string multiplot_title(const Sheet& sheet, const std::string& title);
+
+/// [pixels] Margins beside the panels in print.
+constexpr double print_left = 92.0, print_right = 18.0;
+
+/// Where lines are named: beside the panels, below them in rows, or by each panel inside.
+struct Legend {
+  enum class Place { beside, below, inside } place = Place::inside;
+  double width = 0.0;       // [pixels] of the longest name
+  std::size_t columns = 1;  // below
+
+  Legend(const Sheet& sheet, const std::vector<Panel>& all, bool outside);
+  bool below() const { return place == Place::below; }
+  /// [pixels] Rows for the names of a panel.
+  double height(const Panel& panel) const;
+};
 
 constexpr std::size_t most_lines = 8;  // of one panel: more are not told apart
 
@@ -60,15 +80,16 @@ std::vector<std::string> largest_of(const std::vector<std::string>& names,
 void write_motion_data(const LawRun& run, const std::filesystem::path& folder,
                        const std::vector<std::string>& paths, DrawnRun& drawn);
 /// Of the first run.
-std::vector<Figure> motion_figures(const std::string& case_name, const DrawnRun& run);
+std::vector<Figure> motion_figures(const std::string& case_name, const DrawnRun& run,
+                                   const Sheet& sheet);
 
 void write_contact_data(const LawRun& run, const std::filesystem::path& folder, DrawnRun& drawn);
 /// None without contacts.
-std::vector<Figure> contact_figures(const std::string& case_name,
-                                    const std::vector<DrawnRun>& runs);
+std::vector<Figure> contact_figures(const std::string& case_name, const std::vector<DrawnRun>& runs,
+                                    const Sheet& sheet);
 
 void write_portrait_data(const LawRun& run, const std::filesystem::path& folder, DrawnRun& drawn);
 std::vector<Figure> portrait_figures(const std::string& case_name,
-                                     const std::vector<DrawnRun>& runs);
+                                     const std::vector<DrawnRun>& runs, const Sheet& sheet);
 
 }  // namespace yoke::cases

@@ -58,11 +58,13 @@ struct Job {
   }
 
   void draw(const std::vector<LawRun>& runs, const std::vector<DrawnRun>& drawn) const {
-    std::vector<Figure> figures = standard_figures(c.name, drawn);
-    if (more)
-      for (Figure& figure : more(c, request, runs, plots())) figures.push_back(std::move(figure));
-    fmt::print("{}\n", draw_figures(figures, plots(), request.jobs,
-                                    request.paper ? Figures::paper : Figures::screen));
+    std::vector<Figure> figures;
+    const auto take = [&](std::vector<Figure> made) {
+      for (Figure& figure : made) figures.push_back(std::move(figure));
+    };
+    for (const Sheet& sheet : request.sheets) take(standard_figures(c.name, drawn, sheet));
+    if (more) take(more(c, request, runs, plots()));
+    fmt::print("{}\n", draw_figures(figures, plots(), request.jobs, request.films));
   }
 };
 

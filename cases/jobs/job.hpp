@@ -14,8 +14,8 @@
 
 namespace yoke::cases {
 
-/// Figures beside the standard ones: writes their data into the folder of the plots. Only runs that
-/// completed get here.
+/// Figures beside the standard ones, on each of the request's sheets: writes their data into the folder
+/// of the plots. Only runs that completed get here.
 using FigureMaker = std::function<std::vector<Figure>(
     const Case&, const RunRequest&, const std::vector<LawRun>&, const std::filesystem::path&)>;
 

@@ -173,19 +173,19 @@ Panel body_panel(const DrawnRun& run, const std::string& label, const char* quan
   return panel;
 }
 
-Figure energy_figure(const DrawnRun& run, const std::string& title) {
+Figure energy_figure(const Sheet& sheet, const DrawnRun& run, const std::string& title) {
   const std::string file = data_file("motion", run);
-  Panel terms{"energy [J]", {}, run.energies}, balance{"balance [J]", {}, {"balance"}};
-  std::size_t i = 0;
-  for (const std::string& energy : run.energies)
-    terms.lines.push_back(
-        panel_line(file, energy + "_J", energy == "stored" ? "stored in contacts" : energy, i++));
-  balance.lines.push_back(panel_line(file, "balance_J", "error of the balance", i));
-  return panel_figure("energy", title, {terms, balance});
+  Panel terms{"energy [J]", {}}, balance{"balance [J]", {}, {"error of the balance"}};
+  for (const std::string& energy : run.energies) {
+    terms.names.push_back(energy == "stored" ? "stored in contacts" : energy);
+    terms.lines.push_back(panel_line(file, energy + "_J", terms.names.back(), terms.lines.size()));
+  }
+  balance.lines.push_back(panel_line(file, "balance_J", balance.names.front(), terms.lines.size()));
+  return panel_figure(sheet, "energy", title, {terms, balance});
 }
 
 /// Paths of bodies, y over x, both on one scale; a ring where each starts.
-Figure path_figure(const DrawnRun& run, const std::string& title) {
+Figure path_figure(const Sheet& sheet, const DrawnRun& run, const std::string& title) {
   const std::string file = data_file("path", run);
   Texts lines;
   for (std::size_t i = 0; i < run.paths.size(); ++i) {
@@ -198,22 +198,30 @@ Figure path_figure(const DrawnRun& run, const std::string& title) {
                                 columns, line_colour(i)));
   }
   const PathBox& box = run.path_box;
-  constexpr double left = 0.09, right = 0.82;  // of the width, the legend beside
-  constexpr int width = 1000, above = 50, below = 60;
-  const double inner = (right - left) * width * (box.y_high - box.y_low) / (box.x_high - box.x_low);
-  const int height = above + below + static_cast<int>(inner);
+  std::vector<Panel> named = {{"", {}, run.paths}};
+  const Legend legend(sheet, named, true);
+  const double width = sheet.print() ? sheet.width : 1000.0, left = 90.0,
+               right = legend.below() ? 16.0 : std::max(legend.width, 0.18 * width),
+               above = sheet.print() ? 14.0 : 50.0, below = 60.0 + legend.height(named.front());
+  const double inner = (width - left - right) * (box.y_high - box.y_low) / (box.x_high - box.x_low);
+  const double height = above + below + inner;
   return {.name = "path",
           .title = title,
-          .width = width,
-          .height = height,
-          .body = fmt::format("  set title {} noenhanced; set key noenhanced outside right top\n"
-                              "  set size ratio -1\n"
-                              "  set margins screen {}, screen {}, screen {:.4f}, screen {:.4f}\n"
-                              "  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
-                              "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
-                              gnuplot_text(title), left, right, below / static_cast<double>(height),
-                              1.0 - above / static_cast<double>(height), box.x_low, box.x_high,
-                              box.y_low, box.y_high, plot_of(lines))};
+          .width = static_cast<int>(width),
+          .height = static_cast<int>(height),
+          .body = heading(sheet, title) +
+                  fmt::format(
+                      "  set key noenhanced {}\n  set size ratio -1\n"
+                      "  set margins screen {:.4f}, screen {:.4f}, screen {:.4f}, screen {:.4f}\n"
+                      "  set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
+                      "  set xlabel 'x [m]'; set ylabel 'y [m]'\n{}",
+                      legend.below()
+                          ? fmt::format("at screen 0.5,{:.4g} bottom center horizontal maxcols {}",
+                                        2.0 / height, legend.columns)
+                          : "outside right top",
+                      left / width, 1.0 - right / width, below / height, 1.0 - above / height,
+                      box.x_low, box.x_high, box.y_low, box.y_high, plot_of(lines)),
+          .sheet = sheet};
 }
 
 }  // namespace
@@ -232,16 +240,17 @@ void write_motion_data(const LawRun& run, const std::filesystem::path& folder,
     drawn.path_box = write_paths(run.samples, paths, folder / data_file("path", drawn));
 }
 
-std::vector<Figure> motion_figures(const std::string& case_name, const DrawnRun& first) {
+std::vector<Figure> motion_figures(const std::string& case_name, const DrawnRun& first,
+                                   const Sheet& sheet) {
   const auto title = [&](const std::string& what) {
     return case_name + ": " + what + (first.law.empty() ? "" : ", " + first.law);
   };
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const std::string& what,
                        const std::vector<Panel>& all) {
-    figures.push_back(panel_figure(name, title(what), all));
+    figures.push_back(panel_figure(sheet, name, title(what), all));
   };
-  if (!first.paths.empty()) figures.push_back(path_figure(first, title("paths")));
+  if (!first.paths.empty()) figures.push_back(path_figure(sheet, first, title("paths")));
   const auto bodies = [&](const std::string& name, const std::string& what,
                           std::initializer_list<std::array<const char*, 2>> quantities) {
     std::vector<Panel> all;
@@ -268,7 +277,7 @@ std::vector<Figure> motion_figures(const std::string& case_name, const DrawnRun&
   if (!reactions.empty()) reactions.back().top = first.force_top;
   joints(first.moments, "moment [N m]", ".moment_N_m");
   if (!reactions.empty()) add("reactions", "reactions of the joints", reactions);
-  figures.push_back(energy_figure(first, title("energy")));
+  figures.push_back(energy_figure(sheet, first, title("energy")));
   return figures;
 }
 

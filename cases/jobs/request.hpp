@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <yoke/cases/choices/parameters.hpp>
+#include <yoke/cases/jobs/plot.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
@@ -22,7 +23,8 @@ struct RunRequest {
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;
-  bool paper = false;                       // figures for print too
+  std::vector<Sheet> sheets{on_screen};     // that figures are drawn on
+  bool films = false;                       // of animations
   bool report = false;                      // report.html
   std::string command{};                    // that asks for this, as a user would type it
   int jobs = 1;                             // runs at a time

@@ -20,10 +20,10 @@ DrawnRun write_standard_data(const LawRun& run, const std::filesystem::path& fol
 }
 
 std::vector<Figure> standard_figures(const std::string& case_name,
-                                     const std::vector<DrawnRun>& runs) {
-  std::vector<Figure> figures = motion_figures(case_name, runs.front());
+                                     const std::vector<DrawnRun>& runs, const Sheet& sheet) {
+  std::vector<Figure> figures = motion_figures(case_name, runs.front(), sheet);
   for (std::vector<Figure> more :
-       {contact_figures(case_name, runs), portrait_figures(case_name, runs)})
+       {contact_figures(case_name, runs, sheet), portrait_figures(case_name, runs, sheet)})
     for (Figure& figure : more) figures.push_back(std::move(figure));
   return figures;
 }

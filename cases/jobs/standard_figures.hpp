@@ -40,6 +40,7 @@ DrawnRun write_standard_data(const LawRun& run, const std::filesystem::path& fol
 /// The figures of runs whose data was written. Motion, velocities, reactions and energy are those
 /// of the first run.
 std::vector<Figure> standard_figures(const std::string& case_name,
-                                     const std::vector<DrawnRun>& runs);
+                                     const std::vector<DrawnRun>& runs,
+                                     const Sheet& sheet = on_screen);
 
 }  // namespace yoke::cases

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/core/error.hpp>
@@ -57,6 +58,16 @@ std::optional<double> checked_spectral_radius(const RequestOptions& o) {
         "--spectral-radius {}: formulation '{}' has none; it belongs to --formulation {}",
         o.spectral_radius, o.formulation.empty() ? "automatic" : o.formulation, only));
   return radius;
+}
+
+std::vector<Sheet> sheets_for(const std::string& paper) {
+  std::vector<Sheet> sheets{on_screen};
+  if (paper.empty()) return sheets;
+  if (paper != "single" && paper != "double" && paper != "both")
+    throw ModelError(fmt::format("--paper {}: accepted are single, double, both", paper));
+  if (paper != "double") sheets.push_back(single_column);
+  if (paper != "single") sheets.push_back(double_column);
+  return sheets;
 }
 
 void print_law_help(const Case& c) {
@@ -126,8 +137,14 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->type_name("N")
       ->capture_default_str();
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
-  verb.add_flag("--paper", o.paper,
-                "Figures for print too: PDF, and animations as MP4 where ffmpeg is installed");
+  verb.add_option(
+          "--paper", o.paper,
+          "Figures for print too, PNG, SVG and PDF with text of 8 points: single (84 mm wide), "
+          "double (174 mm; also without a word) or both; and animations as MP4 and WebM "
+          "where ffmpeg is installed")
+      ->type_name("[COLUMNS]")
+      ->expected(0, 1)
+      ->default_str("double");
   verb.add_flag("--no-report", o.no_report, "Do not write report.html");
   verb.add_flag("--verify", o.verify,
                 "Run again with another formulation at a tighter tolerance and print how many "
@@ -144,6 +161,13 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
                   "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "
                   "0.8")
       ->type_name("X");
+}
+
+void settle_paper(RequestOptions& o) {
+  if (!o.case_name.empty() || o.paper.empty() || o.paper == "single" || o.paper == "double" ||
+      o.paper == "both")
+    return;
+  o.case_name = std::exchange(o.paper, "double");
 }
 
 namespace {
@@ -253,7 +277,8 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .relative_tolerance = o.relative_tolerance,
           .formulation = checked_formulation(o.formulation),
           .plots = !o.no_plots,
-          .paper = o.paper,
+          .sheets = sheets_for(o.paper),
+          .films = !o.paper.empty(),
           .report = !o.no_report,
           .command = command_of(o),
           .jobs = o.jobs > 0 ? o.jobs : processors,

@@ -26,7 +26,7 @@ struct RequestOptions {
   int jobs = 0;
   bool no_plots = false;
   bool no_report = false;
-  bool paper = false;
+  std::string paper;  // "single", "double", "both"; "": no figures for print
   bool verify = false;
   std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
   long checkpoint_events = 0;   // 0: none by events
@@ -39,6 +39,9 @@ void add_case_options(CLI::App& verb, RequestOptions& options);
 /// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --paper, --no-report, --verify,
 /// --checkpoint, --checkpoint-events, --spectral-radius.
 void add_output_options(CLI::App& verb, RequestOptions& options);
+
+/// The case in `run --paper CASE`, where it stands in the place of the optional word.
+void settle_paper(RequestOptions& options);
 
 /// Keeps what was typed in FOLDER/run.json, so that `yoke resume FOLDER` can go on.
 void save_options(const RequestOptions& options, const std::filesystem::path& folder);

@@ -18,6 +18,7 @@ void add_run_verb(CLI::App& app, Action& action) {
   add_output_options(*verb, *options);
   verb->callback([verb, options, &action] {
     action = [verb, options] {
+      settle_paper(*options);
       if (options->help) return print_help(*verb, *options);
       const Case& c = find_case(options->case_name);
       const RunRequest request = make_request(c, *options);

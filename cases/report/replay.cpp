@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string_view>
 
 #include <yoke/cases/report/base64.hpp>
@@ -34,54 +35,35 @@ Json flat(const std::vector<Vec2>& points) {
   return numbers;
 }
 
-const char* kind_name(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::pin:
-      return "pin";
-    case ShapeKind::weld:
-      return "weld";
-    case ShapeKind::line:
-      return "line";
-    case ShapeKind::block:
-      return "block";
-    case ShapeKind::point:
-      return "point";
-    case ShapeKind::curve:
-      return "curve";
-    case ShapeKind::rod:
-      return "rod";
-    case ShapeKind::spring:
-      return "spring";
-    case ShapeKind::disc:
-      return "disc";
-    case ShapeKind::wall:
-      return "wall";
-    case ShapeKind::turn:
-      return "turn";
-    case ShapeKind::arrow:
-      return "arrow";
-    case ShapeKind::gear:
-      return "gear";
-    case ShapeKind::belt:
-      return "belt";
-  }
-  return "";
-}
+/// What the page calls them: names of functions and colours in page/mechanism.js.
+constexpr std::array<std::pair<ShapeKind, const char*>, 14> kind_names = {
+    {{ShapeKind::pin, "pin"},
+     {ShapeKind::weld, "weld"},
+     {ShapeKind::line, "line"},
+     {ShapeKind::block, "block"},
+     {ShapeKind::point, "point"},
+     {ShapeKind::curve, "curve"},
+     {ShapeKind::rod, "rod"},
+     {ShapeKind::spring, "spring"},
+     {ShapeKind::disc, "disc"},
+     {ShapeKind::wall, "wall"},
+     {ShapeKind::turn, "turn"},
+     {ShapeKind::arrow, "arrow"},
+     {ShapeKind::gear, "gear"},
+     {ShapeKind::belt, "belt"}}};
+constexpr std::array<std::pair<ShapeRole, const char*>, 5> role_names = {
+    {{ShapeRole::joint, "joint"},
+     {ShapeRole::spring, "spring"},
+     {ShapeRole::driver, "driver"},
+     {ShapeRole::load, "load"},
+     {ShapeRole::contact, "contact"}}};
 
-const char* role_name(ShapeRole role) {
-  switch (role) {
-    case ShapeRole::joint:
-      return "joint";
-    case ShapeRole::spring:
-      return "spring";
-    case ShapeRole::driver:
-      return "driver";
-    case ShapeRole::load:
-      return "load";
-    case ShapeRole::contact:
-      return "contact";
-  }
-  return "";
+/// Throws std::out_of_range for a value without a name.
+template <class Names, class Value>
+const char* name_in(const Names& names, Value value) {
+  const auto found = std::ranges::find(names, value, &Names::value_type::first);
+  if (found == names.end()) throw std::out_of_range("a shape without a name in the report");
+  return found->second;
 }
 
 Json drawing_json(const Drawing& drawing) {
@@ -92,9 +74,12 @@ Json drawing_json(const Drawing& drawing) {
                       {"given", body.given},
                       {"gyration", body.gyration}});
   for (const Shape& s : drawing.shapes()) {
-    Json shape = {{"kind", kind_name(s.kind)}, {"role", role_name(s.role)},
-                  {"element", s.element},      {"body", s.body.index},
-                  {"other", s.other.index},    {"points", flat(s.points)}};
+    Json shape = {{"kind", name_in(kind_names, s.kind)},
+                  {"role", name_in(role_names, s.role)},
+                  {"element", s.element},
+                  {"body", s.body.index},
+                  {"other", s.other.index},
+                  {"points", flat(s.points)}};
     if (s.radius > 0.0) shape["radius"] = s.radius;
     if (s.closed) shape["closed"] = true;
     shapes.push_back(std::move(shape));

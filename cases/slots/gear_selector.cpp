@@ -40,8 +40,9 @@ namespace {
 using namespace yoke::literals;
 
 constexpr double pin_radius = 4.0_mm, edge_at = 30.0_mm, spring_room = 40.0_mm;
-constexpr double ball_damping = 20.0;  // [N s/m] of its spring
-constexpr double lead = 20.0_deg;      // of the dwells, left out at both ends of the run
+constexpr double ball_damping = 20.0;                    // [N s/m] of its spring
+constexpr double notches_from = -1.6, notches_to = 0.6;  // along the fork, in shifts
+constexpr double lead = 20.0_deg;  // of the dwells, left out at both ends of the run
 
 struct GearSelector {
   double shift, drum, angle;                        // [m], [m], [rad] of the rise
@@ -109,18 +110,46 @@ double GearSelector::force(const MotionValue& y) const {
   return fork_mass * y.second + push * X_y;
 }
 
+/// The drum as it is drawn, unrolled: around its groove, down to its guide at `guide`.
+std::vector<Vec2> drum_outline(const GearSelector& c, double guide) {
+  const double rim = 2.0 * pin_radius + c.clearance;
+  const double left = -c.drum * lead - rim, right = c.drum * (c.groove.end() - lead) + rim,
+               bottom = guide - pin_radius, top = c.shift + rim;
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+/// The fork as it is drawn: an arm from its pin to the plate with the notches.
+std::vector<Vec2> fork_outline(const GearSelector& c) {
+  constexpr int parts = 96;
+  const double half = 0.6 * pin_radius, back = edge_at - c.depth - 2.0 * half,
+               low = notches_from * c.shift, high = notches_to * c.shift;
+  std::vector<Vec2> outline = {{-half, -half}, {back, -half}, {back, low}};
+  for (int i = 0; i <= parts; ++i) {
+    const double eta = low + (high - low) * i / parts;
+    outline.emplace_back(c.edge(eta).x, eta);
+  }
+  for (const Vec2& p : {Vec2(back, high), Vec2(back, half), Vec2(-half, half)})
+    outline.push_back(p);
+  return outline;
+}
+
 Model gear_selector_model(const GearSelector& c, const WallLaws& laws) {
   const ContactLaw& detent = laws["detent"];
   const Vec2 pin(0.0, 0.0);
+  constexpr double guide = -50.0_mm;  // [m] height of the drum's
   const Vec2 seat(edge_at - c.depth + c.ball - detent.elastic.penetration_at(c.preload), 0.0);
   Model m;
   const BodyId drum = m.add(Body{.name = "drum",
                                  .mass = 1.0,
                                  .inertia = 1e-3,
-                                 .pose = {{0.0, -0.05}, 0.0},
-                                 .twist = {{-c.drum * c.omega, 0.0}, 0.0}});
-  const BodyId fork =
-      m.add(Body{.name = "fork", .mass = c.fork_mass, .inertia = 1e-4, .pose = {pin, 0.0}});
+                                 .pose = {{0.0, guide}, 0.0},
+                                 .twist = {{-c.drum * c.omega, 0.0}, 0.0},
+                                 .outline = drum_outline(c, guide)});
+  const BodyId fork = m.add(Body{.name = "fork",
+                                 .mass = c.fork_mass,
+                                 .inertia = 1e-4,
+                                 .pose = {pin, 0.0},
+                                 .outline = fork_outline(c)});
   const BodyId ball = m.add(Body{.name = "ball",
                                  .mass = c.ball_mass,
                                  .inertia = 0.4 * c.ball_mass * c.ball * c.ball,
@@ -130,7 +159,7 @@ Model gear_selector_model(const GearSelector& c, const WallLaws& laws) {
   m.add(Prismatic{.name = "ball guide", .a = ground, .b = ball, .along = {1.0, 0.0}});
   m.add(DisplacementDriver{.name = "motor",
                            .body = drum,
-                           .at = {0.0, -0.05},
+                           .at = {0.0, guide},
                            .displacement = constant_speed(0.0, -c.drum * c.omega)});
   PointOnCurve groove{
       .name = "groove",
@@ -160,7 +189,7 @@ Model gear_selector_model(const GearSelector& c, const WallLaws& laws) {
                     .disc = {ball, seat, c.ball},
                     .body = fork,
                     .curve = curve_of([&](double eta) { return Vec2(c.edge(eta).x, eta); },
-                                      -1.6 * c.shift, 0.6 * c.shift),
+                                      notches_from * c.shift, notches_to * c.shift),
                     .side = CurveSide::right,
                     .law = detent});
   return m;

@@ -231,6 +231,20 @@ std::vector<Vec2> wheel_outline(const Geneva& c) {
   return outline;
 }
 
+/// The driver as it is drawn, its pin at the angle `phi`: the disc, cut away about an arm to the pin.
+std::vector<Vec2> driver_outline(const Geneva& c, double phi) {
+  constexpr int parts = 72;
+  const double R = c.disc_radius(), cut = c.engaged(), hub = 0.3 * R;
+  std::vector<Vec2> outline;
+  for (int i = 0; i <= parts; ++i)
+    outline.push_back(rotate(cut + 2.0 * (pi - cut) * i / parts, {R, 0.0}));
+  for (const Vec2& p :
+       {Vec2(hub, -c.pin), Vec2(c.crank, -c.pin), Vec2(c.crank, c.pin), Vec2(hub, c.pin)})
+    outline.push_back(p);
+  for (Vec2& p : outline) p = rotate(phi, p);
+  return outline;
+}
+
 Model geneva_model(const Geneva& c, const WallLaws& laws) {
   // With clearance the pin starts on the far side; without, where it enters a slot.
   const double phi = c.ideal ? -c.engaged() : pi;
@@ -240,7 +254,8 @@ Model geneva_model(const Geneva& c, const WallLaws& laws) {
                                    .mass = 1.0,
                                    .inertia = 1e-3,
                                    .pose = {{0.0, 0.0}, phi},
-                                   .twist = {{0.0, 0.0}, c.omega}});
+                                   .twist = {{0.0, 0.0}, c.omega},
+                                   .outline = driver_outline(c, phi)});
   const BodyId wheel = m.add(Body{.name = "wheel",
                                   .mass = disc_mass(c),
                                   .inertia = c.inertia,

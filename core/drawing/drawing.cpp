@@ -205,10 +205,11 @@ void Drawing::make_outlines(const Model& model) {
       continue;
     }
     drawn.outline = hull_of(anchors_[i]);
+    if (drawn.outline.size() != 1) continue;
     // Of a ball on a rod, the rod; what a wall goes around hides it.
-    if (drawn.outline.size() == 1)
-      drawn.outline.push_back(solid_[i] ? Vec2(0.0, 0.0)
-                                        : far_end(drawn.outline[0], drawn.gyration));
+    const Vec2 at = drawn.outline[0],
+               end = solid_[i] ? Vec2(0.0, 0.0) : far_end(at, drawn.gyration);
+    if (end != at) drawn.outline.push_back(end);
   }
 }
 

@@ -49,9 +49,10 @@ struct Shape {
 /// One body; see draw().
 struct DrawnBody {
   std::string name;
-  std::vector<Vec2> outline{};  // none: nothing to be drawn but its centre of mass
-  bool given = false;           // by Body::outline: a closed polygon, to be drawn as it is
-  double gyration = 0.0;        // [m] radius of gyration
+  std::vector<Vec2>
+      outline{};          // none: nothing but its centre of mass; one point: a mass at a joint
+  bool given = false;     // by Body::outline: a closed polygon, to be drawn as it is
+  double gyration = 0.0;  // [m] radius of gyration
 };
 
 class Drawing {
@@ -107,7 +108,8 @@ class Drawing {
 
 /// All elements of the model. A body's outline is the one the user gave, or else the convex hull of
 /// what is attached to it: joints, springs, slots. With one point alone it is a rod from there
-/// through the centre of mass, as long as a uniform rod of its inertia.
+/// through the centre of mass, as long as a uniform rod of its inertia; or that point, if the centre of
+/// mass is there.
 Drawing draw(const Model& model);
 
 /// No more than this many points along a curve or wall that is drawn.

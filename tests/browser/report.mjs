@@ -51,6 +51,9 @@ try {
   check("opens in less than 2 s", seconds < 2, `${seconds} s`);
   check("is smaller than 7.5 MB", statSync(page).size < 7.5e6, `${statSync(page).size} bytes`);
 
+  const rows = await chrome.evaluate(`(() => { const box = document.getElementById("contacts"), last = box.querySelector("tbody tr:nth-last-child(2)");
+    return last.offsetTop + last.offsetHeight - box.clientHeight; })()`);
+  check("the table of contacts is full from the start", rows >= 0, `${rows} px beyond its box`);
   const before = await look("mechanism"), start = await app("app.time");
   await clickOn("#play");
   await wait(700);
@@ -156,6 +159,58 @@ try {
   check("of the stretch that is asked for", Math.abs(await app("app.timePlots[0].plots[1].scales.x.min") - 1 / 12) < 1e-6);
   await picture("comparison");
 
+  // ---- eight runs: the mechanism at once, plots as they come into view ----
+  const eight = results("eight", "scotch_yoke");
+  execFileSync(yoke, ["compare", eight, "-o", join(folder, "all")], {stdio: "ignore"});
+  const times = [];
+  for (let i = 0; i < 5; ++i) times.push(await chrome.open(join(folder, "all", "comparison.html")));
+  const median = [...times].sort((a, b) => a - b)[2];
+  check("a comparison of eight runs opens in less than 2 s, the median of five", median < 2, `${median} s of ${times.join(", ")}`);
+  await chrome.evaluate("window.scrollTo(0, 0)");
+  await frame();
+  check("what is far below is not drawn yet", await app("app.xyPlots.every((p) => p.stale) && app.xyPlots.length > 2"));
+  await placeOf("#plots .xy-grid");
+  await wait(700);
+  check("until it comes into view", await app("app.xyPlots.some((p) => p.seen && !p.stale && p.spec.lines.length >= 8)"));
+  chrome.messages.length = 0;
+  await app("app.buildAll()");
+  check("printing draws all of it", await app("app.allPlots().every((p) => !p.stale)") && chrome.messages.length === 0, chrome.messages.join("; "));
+
+  // ---- every mechanism alone: all of it in the picture, its names beside one another ----
+  const list = execFileSync(yoke, ["list"], {encoding: "utf8"}).split("Laws of")[0];
+  const cases = [...list.matchAll(/^  (\w+) +\S/gm)].map((m) => m[1]);
+  check("all cases are there", cases.length > 20, cases.length);
+  await chrome.size(900, 640);
+  for (const name of cases) {
+    execFileSync(yoke, ["view", name, "-o", join(folder, "views", name)], {stdio: "ignore"});
+    chrome.messages.length = 0;
+    await chrome.open(join(folder, "views", name, "view.html"));
+    await clickOn("#names");
+    const boxes = await app("app.run.boxesOfNames");
+    const bodies = await app("app.run.drawing.bodies.length - 1");
+    const {width, height} = await app("({width: app.camera.width, height: app.camera.height})");
+    const outside = boxes.filter(([a, b, c, d]) => a < 0 || b > width || c < 0 || d > height).length;
+    const over = boxes.filter(([a, b, c, d], i) => boxes.slice(0, i).some((t) => a < t[1] && b > t[0] && c < t[3] && d > t[2])).length;
+    check(`${name}: names are within the picture and apart`, boxes.length >= bodies && outside === 0 && over === 0, `${boxes.length} names, ${outside} outside, ${over} over others`);
+    // A wall without ends is seen where a disc may meet it.
+    const unseen = await app(`(() => {
+      const {shapes, bodies} = app.run.drawing;
+      const poses = bodies.map((b, i) => ["x", "y", "angle"].map((q) => (i > 0 ? app.run.column(b.name + "." + q).values[0] : 0)));
+      const turned = ([, , a], x, y) => [Math.cos(a) * x - Math.sin(a) * y, Math.sin(a) * x + Math.cos(a) * y];
+      const pointOf = (pose, x, y) => { const [u, v] = turned(pose, x, y); return [pose[0] + u, pose[1] + v]; };
+      return shapes.filter((l) => l.kind === "line" && l.role === "contact").filter((l) => {
+        const disc = shapes.find((d) => d.kind === "disc" && d.element === l.element);
+        const p = pointOf(poses[l.body], l.points[0], l.points[1]), u = turned(poses[l.body], l.points[2], l.points[3]);
+        const c = pointOf(poses[disc.body], disc.points[0], disc.points[1]);
+        const along = (c[0] - p[0]) * u[0] + (c[1] - p[1]) * u[1];
+        const [x, y] = app.camera.screen([p[0] + along * u[0], p[1] + along * u[1]]);
+        return x < 0 || x > app.camera.width || y < 0 || y > app.camera.height;
+      }).length; })()`);
+    check(`${name}: its walls are seen, without an error`, unseen === 0 && chrome.messages.length === 0, chrome.messages.join("; "));
+    await picture(`view-${name}`);
+  }
+  await chrome.size(1400, 1000);
+
   // ---- a mechanism alone ----
   execFileSync(yoke, ["view", "newtons_cradle", "-o", join(folder, "drawn")], {stdio: "ignore"});
   chrome.messages.length = 0;
@@ -191,6 +246,8 @@ try {
     await app("app.buildAll()");
     check(`${name}: opens in less than 2 s`, opened < 2, `${opened} s, ${statSync(file).size} bytes`);
     check(`${name}: smaller than 15 MB, without an error`, statSync(file).size < 15e6 && chrome.messages.length === 0, chrome.messages.join("; "));
+    const choices = "['run-choice', 'run-chips', 'side-label', 'difference-label'].every((id) => (document.getElementById(id).offsetHeight > 0) === (app.runs.length > 1))";
+    check(`${name}: a choice of runs only where there are several`, await app(choices), await app("app.runs.length"));
     const drawn = await chrome.evaluate("new Set(window.yoke.app.run.drawing.shapes.map((s) => s.element)).size");
     check(`${name}: elements are drawn`, drawn > 1, drawn);
     await picture(name);

@@ -208,7 +208,12 @@ TEST_CASE("a body is the hull of what is attached to it, a rod through its centr
          .inertia = 1.0,
          .pose = {{1.0, 0.0}, 0.5 * pi},
          .outline = {{1.0, 1.0}, {2.0, 1.0}, {1.0, 2.0}}});
+  const BodyId mass =
+      m.add({.name = "mass", .mass = 1.0, .inertia = 1.0, .pose = {{3.0, 0.0}, 0.0}});
+  m.add(Distance{
+      .name = "rod to it", .a = ground, .b = mass, .at_a = {0.0, 0.0}, .at_b = {3.0, 0.0}});
   const Drawing drawing = draw(m);
+  CHECK(drawing.bodies()[4].outline.size() == 1);  // no length of its own
   REQUIRE(drawing.bodies()[1].outline.size() == 2);
   check_point(drawing.bodies()[1].outline[0], {-0.5, 0.0});
   check_point(drawing.bodies()[1].outline[1], {0.5, 0.0});

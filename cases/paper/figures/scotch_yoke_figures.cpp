@@ -171,39 +171,76 @@ std::string with_rigid(std::vector<std::string> parts, std::string_view columns)
   return plot(std::move(parts));
 }
 
-constexpr const char* angle_axis =
-    R"(  set xlabel "crank angle from the start of the revolution [deg]"
-  set xrange [0:360]; set xtics 30; set mxtics 3
-)";
+/// Tics every `step` degrees, half as many where the sheet is narrow.
+std::string angle_axis(const Sheet& sheet, double from, double to, int step, bool numbers = true) {
+  return fmt::format("  set xrange [{:g}:{:g}]; set xtics {} format '{}'; set mxtics 3\n{}", from,
+                     to, sheet.narrow() ? 2 * step : step, numbers ? "%g" : "",
+                     !numbers ? ""
+                     : sheet.narrow()
+                         ? "  set xlabel 'crank angle in the revolution [deg]'\n"
+                         : "  set xlabel 'crank angle from the start of the revolution [deg]'\n");
+}
+
+/// A title over a figure; print has it in the caption.
+std::string heading(const Sheet& sheet, const std::string& title) {
+  return sheet.print() ? "" : fmt::format("  set title '{}'\n", title);
+}
+
+/// Margins around panels, in pixels, and the title.
+std::string multiplot(const Sheet& sheet, std::size_t panels, double height, double right,
+                      double bottom, const std::string& title) {
+  const double left = sheet.print() ? 92.0 : 108.0, top = sheet.print() ? 14.0 : 50.0;
+  return fmt::format(
+      "  set multiplot layout {},1 margins {:.4g},{:.4g},{:.4g},{:.4g} spacing 0,{:.3g}{}\n",
+      panels, left / sheet.width, 1.0 - right / sheet.width, bottom / height, 1.0 - top / height,
+      14.0 / height, sheet.print() ? "" : fmt::format(" title '{}'", title));
+}
+
+/// One plot; where the legend is below, it takes rows of its own.
+Figure plain_figure(const Sheet& sheet, const std::string& name, const std::string& title,
+                    std::string body, std::size_t laws, int screen_width = 1200) {
+  const int rows = sheet.narrow() ? 20 * static_cast<int>(laws + 1) : 0;
+  return {.name = name,
+          .title = title,
+          .width = sheet.print() ? sheet.width : screen_width,
+          .height = (sheet.narrow()  ? 290
+                     : sheet.print() ? 450
+                                     : 700) +
+                    rows,
+          .body = std::move(body),
+          .sheet = sheet};
+}
 
 // ---- figures ----
 
-Figure figure11(const std::vector<std::string>& laws) {
-  return {.name = "figure11",
-          .title = "Contact force over the last revolution (Figure 11 of the paper)",
-          .body = std::string(angle_axis) +
-                  "  set title 'Contact force over one revolution'\n"
-                  "  set ylabel 'contact force [N]'; set yrange [0:*]\n" +
-                  with_rigid(curves(laws, {"1:2", 4}), "1:2")};
+using Laws = std::vector<std::string>;
+
+Figure figure11(const Sheet& sheet, const Laws& laws) {
+  return plain_figure(
+      sheet, "figure11", "Contact force over the last revolution (Figure 11 of the paper)",
+      angle_axis(sheet, 0, 360, 30) + heading(sheet, "Contact force over one revolution") +
+          "  set ylabel 'contact force [N]'; set yrange [0:*]\n" +
+          with_rigid(curves(laws, {"1:2", 4}), "1:2"),
+      laws.size());
 }
 
 // The same, one law above the other: five bouncing curves on one axis hide each other.
-Figure figure11_panels(const std::vector<std::string>& laws) {
+Figure figure11_panels(const Sheet& sheet, const Laws& laws) {
   const std::size_t n = laws.size();
+  const double height = (sheet.print() ? 110.0 : 170.0) * static_cast<double>(n) + 80.0;
   std::string body = fmt::format(
-      "  set xrange [*:*]; set yrange [*:*]; top = 0\n"
-      "  do for [law in '{}'] {{ stats law.'.csv' using 2 nooutput; "
-      "top = STATS_max > top ? STATS_max : top }}\n"
-      "  set multiplot layout {},1 margins 0.085,0.98,0.07,0.95 spacing 0,0.012 title 'Contact "
-      "force "
-      "over one revolution (grey: no clearance)'\n"
-      "  set xrange [0:360]; set xtics 30 format ''; set yrange [0:1.05*top]; unset key\n",
-      fmt::join(laws, " "), n);
+                         "  set xrange [*:*]; set yrange [*:*]; top = 0\n"
+                         "  do for [law in '{}'] {{ stats law.'.csv' using 2 nooutput; "
+                         "top = STATS_max > top ? STATS_max : top }}\n",
+                         fmt::join(laws, " ")) +
+                     multiplot(sheet, n, height, std::max(20.0, 0.02 * sheet.width), 60.0,
+                               "Contact force over one revolution (grey: no clearance)") +
+                     angle_axis(sheet, 0, 360, 30, false) +
+                     (sheet.print() ? "  set yrange [0:1.3*top]; set ytics round_step(top/4)\n"
+                                    : "  set yrange [0:1.05*top]\n") +
+                     "  unset key\n";
   for (std::size_t i = 0; i < n; ++i) {
-    if (i + 1 == n)
-      body +=
-          "  set xtics format '%g'; set xlabel 'crank angle from the start of the revolution "
-          "[deg]'\n";
+    if (i + 1 == n) body += angle_axis(sheet, 0, 360, 30);
     body += fmt::format(
         "  set ylabel '[N]'; set label 1 \"{}\" at graph 0.5,0.88 center front noenhanced\n{}\n",
         style_of(laws[i]).title,
@@ -211,88 +248,101 @@ Figure figure11_panels(const std::vector<std::string>& laws) {
   }
   return {.name = "figure11_panels",
           .title = "Contact force, a panel for each law",
-          .height = 170 * static_cast<int>(n) + 80,
-          .body = body + "  unset multiplot"};
+          .width = sheet.width,
+          .height = static_cast<int>(height),
+          .body = body + "  unset multiplot",
+          .sheet = sheet};
 }
 
-Figure figure12(const std::vector<std::string>& laws) {
-  return {.name = "figure12",
-          .title = "Penetration over the last revolution (Figure 12 of the paper)",
-          .body = std::string(angle_axis) +
-                  "  set title 'Penetration over one revolution'\n"
-                  "  set ylabel 'penetration [µm]'; set yrange [0:*]\n" +
-                  plot(curves(laws, {"1:3", 4}))};
+Figure figure12(const Sheet& sheet, const Laws& laws) {
+  return plain_figure(
+      sheet, "figure12", "Penetration over the last revolution (Figure 12 of the paper)",
+      angle_axis(sheet, 0, 360, 30) + heading(sheet, "Penetration over one revolution") +
+          "  set ylabel 'penetration [µm]'; set yrange [0:*]\n" + plot(curves(laws, {"1:3", 4})),
+      laws.size());
 }
 
-Figure figure13(const std::vector<std::string>& laws) {
-  return {.name = "figure13",
-          .title = "Penetration after the pin has changed walls (Figure 13 of the paper)",
-          .body = std::string(angle_axis) +
-                  "  set title 'Penetration after the pin has landed on the inner wall'\n"
-                  "  set ylabel 'penetration [µm]'; set yrange [0:*]\n"
-                  "  set xrange [90:180]; set xtics 10; set mxtics 5\n" +
-                  plot(curves(laws, {"1:3", 2}))};
+Figure figure13(const Sheet& sheet, const Laws& laws) {
+  return plain_figure(sheet, "figure13",
+                      "Penetration after the pin has changed walls (Figure 13 of the paper)",
+                      angle_axis(sheet, 90, 180, 10) +
+                          heading(sheet, "Penetration after the pin has landed on the inner wall") +
+                          "  set ylabel 'penetration [µm]'; set yrange [0:*]; set mxtics 5\n" +
+                          plot(curves(laws, {"1:3", 2})),
+                      laws.size());
 }
 
-Figure figure14(const std::vector<std::string>& laws) {
-  return {.name = "figure14",
-          .title = "Contact force in the impact section (Figure 14 of the paper)",
-          .body = std::string(angle_axis) +
-                  "  set title 'Contact force in the impact section, until 100 deg'\n"
-                  "  set ylabel 'contact force [N]'; set yrange [0:*]\n"
-                  "  set xrange [0:100]; set xtics 10; set mxtics 5\n" +
-                  with_rigid(curves(laws, {"1:2", 2}), "1:2")};
+Figure figure14(const Sheet& sheet, const Laws& laws) {
+  return plain_figure(sheet, "figure14",
+                      "Contact force in the impact section (Figure 14 of the paper)",
+                      angle_axis(sheet, 0, 100, 10) +
+                          heading(sheet, "Contact force in the impact section, until 100 deg") +
+                          "  set ylabel 'contact force [N]'; set yrange [0:*]; set mxtics 5\n" +
+                          with_rigid(curves(laws, {"1:2", 2}), "1:2"),
+                      laws.size());
 }
 
-Figure figure15(const std::vector<std::string>& laws) {
-  return {.name = "figure15",
-          .title = "Hysteresis of one contact and rebound (Figure 15 of the paper)",
-          .width = 1000,
-          .body =
-              "  set title 'One contact and rebound: landing on the outer wall'\n"
-              "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
-              "  set xrange [0:*]; set yrange [0:*]\n" +
-              plot(curves(laws, {"1:2", 1, "loop-"}))};
+Figure figure15(const Sheet& sheet, const Laws& laws) {
+  return plain_figure(sheet, "figure15",
+                      "Hysteresis of one contact and rebound (Figure 15 of the paper)",
+                      heading(sheet, "One contact and rebound: landing on the outer wall") +
+                          "  set xlabel 'penetration [µm]'; set ylabel 'contact force [N]'\n"
+                          "  set xrange [0:*]; set yrange [0:*]\n" +
+                          plot(curves(laws, {"1:2", 1, "loop-"})),
+                      laws.size(), 1000);
 }
 
-Figure figure16(const std::vector<std::string>& laws) {
-  std::string body =
-      "  set multiplot layout 4,1 margins 0.09,0.8,0.06,0.95 spacing 0,0.02 title 'Slider: "
-      "position, "
-      "velocity, acceleration'\n"
-      "  set xrange [0:360]; set xtics 30 format ''\n";
+Figure figure16(const Sheet& sheet, const Laws& laws) {
+  // A narrow sheet has the legend below.
+  const double rows = sheet.narrow() ? 20.0 * static_cast<double>(laws.size() + 1) : 0.0;
+  const double height = sheet.narrow() ? 700.0 + rows : sheet.print() ? 800.0 : 1200.0;
+  std::string body = multiplot(sheet, 4, height,
+                               sheet.narrow()  ? 18.0
+                               : sheet.print() ? 225.0
+                                               : 240.0,
+                               62.0 + rows, "Slider: position, velocity, acceleration") +
+                     angle_axis(sheet, 0, 360, 30, false);
+  if (sheet.narrow())
+    body += fmt::format("  set key at screen 0.5,{:.4g} bottom center maxcols 1\n", 2.0 / height);
   const auto panel = [&](const char* label, const std::string& what) {
     body += fmt::format("  set ylabel \"{}\"\n{}\n", label, what);
   };
   panel("position [mm]", with_rigid(curves(laws, {"1:4", 4}), "1:3"));
   body += "  unset key\n";
-  panel("position minus that\\nwithout clearance [µm]", plot(curves(laws, {"1:7", 4})));
+  panel(sheet.print() ? "deviation [µm]" : "position minus that\\nwithout clearance [µm]",
+        plot(curves(laws, {"1:7", 4})));
   panel("velocity [m/s]", with_rigid(curves(laws, {"1:5", 4}), "1:4"));
-  body +=
-      "  set xtics format '%g'; set xlabel 'crank angle from the start of the revolution [deg]'\n";
-  panel("acceleration [m/s^2]", with_rigid(curves(laws, {"1:6", 4}), "1:5"));
+  body += angle_axis(sheet, 0, 360, 30);
+  panel(sheet.print() ? "accel. [m/s^2]" : "acceleration [m/s^2]",
+        with_rigid(curves(laws, {"1:6", 4}), "1:5"));
   return {.name = "figure16",
           .title = "Motion of the slider (Figure 16 of the paper)",
-          .height = 1200,
-          .body = body + "  unset multiplot"};
+          .width = sheet.width,
+          .height = static_cast<int>(height),
+          .body = body + "  unset multiplot",
+          .sheet = sheet};
 }
 
-Figure johnson_figure() {
-  std::string body =
-      "  set multiplot layout 2,1 margins 0.08,0.97,0.08,0.94 spacing 0,0.06 title 'Johnson, exact "
-      "and "
-      "as Table 11 fits it'\n"
-      "  set ylabel 'contact force [N]'; set yrange [0:*]\n"
-      "  set xrange [90:180]; set xtics 10; set mxtics 5; set key inside right top\n";
-  body += "  set label 1 'K as printed; L = 1 mm' at graph 0.02,0.9\n" +
-          plot(curves({"table11-johnson", "johnson"}, {"1:2", 2})) + "\n" +
-          "  set label 1 'K times 10; L = 10 mm'\n"
-          "  set xlabel 'crank angle from the start of the revolution [deg]'\n" +
-          plot(curves({"table11-johnson-10mm", "johnson-10mm"}, {"1:2", 1})) + "\n";
+Figure johnson_figure(const Sheet& sheet) {
+  const double height = sheet.narrow() ? 460.0 : sheet.print() ? 600.0 : 900.0;
+  std::string body = multiplot(sheet, 2, height, std::max(18.0, 0.03 * sheet.width), 70.0,
+                               "Johnson, exact and as Table 11 fits it") +
+                     angle_axis(sheet, 90, 180, 10, false) +
+                     "  set ylabel 'contact force [N]'; set yrange [0:*]; set mxtics 5\n" +
+                     (sheet.narrow() ? "  set offsets 0,0,graph 0.45,0\n" : "");
+  const auto panel = [&](const char* name, const std::vector<std::string>& laws, int every) {
+    body += fmt::format("  set key inside right top title '{}'\n", name) +
+            plot(curves(laws, {"1:2", every})) + "\n";
+  };
+  panel("K as printed; L = 1 mm", {"table11-johnson", "johnson"}, 2);
+  body += angle_axis(sheet, 90, 180, 10);
+  panel("K times 10; L = 10 mm", {"table11-johnson-10mm", "johnson-10mm"}, 1);
   return {.name = "johnson",
           .title = "Johnson's law and its fit",
-          .height = 900,
-          .body = body + "  unset multiplot"};
+          .width = sheet.width,
+          .height = static_cast<int>(height),
+          .body = body + "  unset multiplot",
+          .sheet = sheet};
 }
 
 // ---- the mechanism ----
@@ -370,23 +420,25 @@ constexpr const char* mechanism_axes = R"(  set size ratio -1
   unset key; unset grid; set xlabel "x [mm]"; set ylabel "y [mm]"; set xtics 25; set ytics 25
 )";
 
-Figure mechanism_figure(const ScotchYoke& choices) {
+Figure mechanism_figure(const Sheet& sheet, const ScotchYoke& choices) {
   const double R = 1e3 * arc_radius;
-  return {
-      .name = "mechanism",
-      .title = "The mechanism to scale, at the start of the revolution",
-      .width = 1000,
-      .height = 980,
-      .body = std::string(mechanism_axes) + "  i = 0\n" + draw_frame +
-              fmt::format("  set title 'Scotch-yoke, to scale: crank {:.4g} mm, slot radius {:g} "
-                          "mm, walls {:g} and {:g} mm, pin radius {:g} mm (gap {:g} mm)'\n",
-                          1e3 * choices.crank_length, R, R - 1e3 * half_width, R + 1e3 * half_width,
-                          1e3 * pin_radius, std::round(1e6 * gap) / 1e3) +
-              "  set label 2 'crank pivot' at 0,-8 center front\n"
-              "  set label 3 'slider guided along x' at -70,77 front\n"
-              "  set label 4 'inner wall' at sx-44,0 front\n"
-              "  set label 5 'outer wall' at sx-60,45 right front\n" +
-              plot_frame};
+  return {.name = "mechanism",
+          .title = "The mechanism to scale, at the start of the revolution",
+          .width = sheet.print() ? sheet.width : 1000,
+          .height = sheet.print() ? sheet.width : 980,
+          .body = std::string(mechanism_axes) + "  i = 0\n" + draw_frame +
+                  heading(sheet, fmt::format(
+                                     "Scotch-yoke, to scale: crank {:.4g} mm, slot radius {:g} "
+                                     "mm, walls {:g} and {:g} mm, pin radius {:g} mm (gap {:g} mm)",
+                                     1e3 * choices.crank_length, R, R - 1e3 * half_width,
+                                     R + 1e3 * half_width, 1e3 * pin_radius,
+                                     std::round(1e6 * gap) / 1e3)) +
+                  "  set label 2 'crank pivot' at -5,0 right front\n"
+                  "  set label 3 'slider guided along x' at -70,77 front\n"
+                  "  set label 4 'inner wall' at sx-44,0 front\n"
+                  "  set label 5 'outer wall' at sx-60,45 right front\n" +
+                  plot_frame,
+          .sheet = sheet};
 }
 
 Figure animation() {
@@ -423,15 +475,18 @@ std::vector<Figure> scotch_yoke_figures(const Case&, const RunRequest& request,
   slot_outline(half_width + 5e-3).write(folder / "plate.csv");
   write_frames(runs.front(), choices, folder);
 
-  std::vector<Figure> figures{mechanism_figure(choices), animation()};
-  const auto add = [&](auto... figure) { (figures.push_back(figure(laws)), ...); };
-  if (!laws.empty()) add(figure11, figure11_panels, figure12, figure16);
-  if (!loops.empty()) figures.push_back(figure15(loops));
+  std::vector<Figure> figures{animation()};
   const bool shows_details = choices.revolutions >= 0.5;  // they lie in the first 180 deg
-  if (!laws.empty() && shows_details) add(figure13, figure14);
-  if (have(runs, "table11-johnson") && have(runs, "johnson") &&
-      have(runs, "table11-johnson-10mm") && have(runs, "johnson-10mm") && shows_details)
-    figures.push_back(johnson_figure());
+  const bool both_johnsons = have(runs, "table11-johnson") && have(runs, "johnson") &&
+                             have(runs, "table11-johnson-10mm") && have(runs, "johnson-10mm");
+  for (const Sheet& sheet : request.sheets) {
+    const auto add = [&](auto... figure) { (figures.push_back(figure(sheet, laws)), ...); };
+    figures.push_back(mechanism_figure(sheet, choices));
+    if (!laws.empty()) add(figure11, figure11_panels, figure12, figure16);
+    if (!loops.empty()) figures.push_back(figure15(sheet, loops));
+    if (!laws.empty() && shows_details) add(figure13, figure14);
+    if (both_johnsons && shows_details) figures.push_back(johnson_figure(sheet));
+  }
   return figures;
 }
 

@@ -37,6 +37,9 @@ function boxOf(run) {
     box.left = Math.min(box.left, x - r), box.right = Math.max(box.right, x + r);
     box.bottom = Math.min(box.bottom, y - r), box.top = Math.max(box.top, y + r);
   };
+  // Of a wall without ends, the place that is nearest to the disc it is for.
+  const lines = run.drawing.shapes.filter((s) => s.kind === "line" && s.role === "contact")
+    .flatMap((line) => run.drawing.shapes.filter((d) => d.kind === "disc" && d.element === line.element).map((disc) => ({line, disc})));
   const looks = run.moves ? 60 : 1;
   for (let k = 0; k < looks; ++k) {
     const poses = posesAt(run, run.start + (run.end - run.start) * k / Math.max(1, looks - 1));
@@ -44,6 +47,12 @@ function boxOf(run) {
       for (let j = 0; j + 1 < body.outline.length; j += 2) hold(pointOf(poses[i], body.outline[j], body.outline[j + 1]));
       if (i > 0) hold([poses[i].x, poses[i].y]);
     });
+    for (const {line, disc} of lines) {
+      const p = pointOf(poses[line.body], line.points[0], line.points[1]), u = turned(poses[line.body], line.points[2], line.points[3]);
+      const c = pointOf(poses[disc.body], disc.points[0], disc.points[1]);
+      const along = (c[0] - p[0]) * u[0] + (c[1] - p[1]) * u[1];
+      hold([p[0] + along * u[0], p[1] + along * u[1]]);
+    }
     for (const s of run.drawing.shapes) {
       if (s.kind === "line" || s.kind === "turn" || s.kind === "arrow" || s.points.length < 2) continue;
       hold(pointOf(poses[s.body], s.points[0], s.points[1]), s.radius || 0);

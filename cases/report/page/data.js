@@ -54,6 +54,8 @@ class Run {
       ...this.events.map((e) => e.t)])].sort((a, b) => a - b);
   }
   column(name) { return this.byName.get(name); }
+  get box() { return this.bounds ||= boxOf(this); }
+  get size() { return Math.max(this.box.right - this.box.left, this.box.top - this.box.bottom); }
   get moves() { return this.t.length > 1 && this.end > this.start; }
 }
 

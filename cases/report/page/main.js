@@ -19,11 +19,7 @@ class App {
     this.waiting = false;   // for a frame
     this.plotChoice = new Set([0]);
     if (this.about.kind === "comparison") this.runs.forEach((_, i) => this.plotChoice.add(i));
-    for (const run of this.runs) {
-      const box = boxOf(run);
-      run.box = box;
-      run.size = Math.max(box.right - box.left, box.top - box.bottom);
-    }
+    this.awaited = [];      // plots that came into view and are not drawn yet
     this.time = this.run.start;
     this.span = [Math.min(...this.runs.map((r) => r.start)), Math.max(...this.runs.map((r) => r.end))];
   }
@@ -100,7 +96,6 @@ class App {
     this.speed = run.moves ? this.fittingSpeed(run) : 1;
     fillSelect($("speed"), [...new Set([...speeds, this.speed])].sort((a, b) => b - a).map((s) => [String(s), speedText(s)]), String(this.speed));
     $("bar").hidden = !run.moves;
-    $("bar").style.display = run.moves ? "" : "none";
     $("plots-section").hidden = !run.moves;
     $("linked").className = run.moves ? "" : "alone";
     this.table.load(run);
@@ -141,7 +136,7 @@ class App {
     }));
   }
 
-  // ---- plots: made when they are first seen ----
+  // ---- plots: made when they are first seen, one a frame, after the mechanism ----
 
   makePlots() {
     this.timePlots = [], this.xyPlots = [];
@@ -150,39 +145,52 @@ class App {
       for (const entry of entries) {
         const plot = entry.target.plot;
         plot.seen = entry.isIntersecting;
-        if (plot.seen) this.freshen(plot);
+        if (plot.seen) this.drawSoon(plot);
       }
     }, {rootMargin: "300px"});
     const place = (box, plot, list) => { box.append(plot.box); plot.box.plot = plot; plot.stale = true; list.push(plot); this.watch.observe(plot.box); };
     for (const group of plotGroups(this.runs)) place($("plots"), new TimePlot(this, group), this.timePlots);
     const grid = make("div", {className: "xy-grid"});
     $("plots").append(grid);
-    const add = (specOf) => {
-      const spec = specOf();
-      if (!spec) return null;
-      const plot = new XyPlot(this, spec);
-      plot.specOf = specOf;
+    const add = (title, specOf) => {
+      const plot = new XyPlot(this, title, specOf);
       place(grid, plot, this.xyPlots);
       return plot;
     };
     const contacts = [...new Set(this.runs.flatMap((r) => r.elements.contacts))].slice(0, 8);
     for (const element of contacts) {
-      if (this.runs.some((r) => r.column(`${element}.normal_force`) && r.column(`${element}.normal_force`).largest > 0)) add(() => hysteresisOf(this, element));
-      add(() => orbitOf(this, element));
+      if (this.runs.some((r) => r.column(`${element}.normal_force`) && r.column(`${element}.normal_force`).largest > 0))
+        add(hysteresisTitle(element), () => hysteresisOf(this, element));
+      if (hasOrbit(this.run, element)) add(orbitTitle(this.run, element), () => orbitOf(this, element));
     }
     const choices = phaseChoices(this.run);
     if (choices.length) {
       let chosen = 0;
-      const plot = add(() => phaseOf(this, choices[chosen]));
+      const plot = add(phaseTitle, () => phaseOf(this, choices[chosen]));
       const select = make("select", {title: "coordinate"});
       fillSelect(select, choices.map((c, i) => [String(i), c[0]]), "0");
-      select.addEventListener("change", () => { chosen = Number(select.value); plot.set(plot.specOf()); });
+      select.addEventListener("change", () => { chosen = Number(select.value); plot.refresh(); });
       plot.tools.append(select);
     }
-    this.runs.forEach((run) => portraitSpecs(run).forEach((spec, i) => add(() => ({...portraitSpecs(run)[i], title: this.runs.length > 1 ? `${spec.title} \u00b7 ${run.label}` : spec.title}))));
+    for (const run of this.runs)
+      for (const portrait of run.portraits) {
+        const title = this.runs.length > 1 ? `${portrait.title} \u00b7 ${run.label}` : portrait.title;
+        add(title, () => portraitOf(portrait, title));
+      }
+  }
+  // Drawn in one of the next frames: what the user does is answered in between.
+  drawSoon(plot) {
+    if (this.awaited.push(plot) > 1) return;
+    const next = () => {
+      const first = this.awaited.find((p) => p.seen);
+      this.awaited = first ? this.awaited.filter((p) => p !== first) : [];
+      if (first) this.freshen(first);
+      if (this.awaited.length) requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
   }
   freshen(plot) {
-    if (plot instanceof TimePlot) { if (plot.stale) plot.build(); else plot.update(); } else { if (plot.stale) plot.set(plot.specOf() || plot.spec); else plot.draw(); }
+    if (plot instanceof TimePlot) { if (plot.stale) plot.build(); else plot.update(); } else { if (plot.stale) plot.refresh(); else plot.draw(); }
     plot.stale = false;
   }
   allPlots() { return [...this.timePlots, ...this.xyPlots]; }
@@ -209,7 +217,7 @@ class App {
     this.setRange(view.from, view.to);
     this.seek(view.from);
     const plot = this.timePlots.find((p) => p.group.names.some((n) => view.columns.includes(n)));
-    const target = view.over ? this.xyPlots.find((p) => p.spec.title.includes(": force over penetration")) : plot;
+    const target = view.over ? this.xyPlots.find((p) => p.title.includes(": force over penetration")) : plot;
     if (!target) return;
     if (!view.over) {
       for (const name of target.group.names) if (view.columns.includes(name)) target.on.add(name), target.off.delete(name); else target.off.add(name);

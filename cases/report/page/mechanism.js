@@ -70,14 +70,18 @@ class Painter {
     const points = [];
     for (let i = 0; i + 1 < o.length; i += 2) points.push(this.at(index, o[i], o[i + 1]));
     this.g.lineJoin = this.g.lineCap = "round";
-    if (points.length > 0) {
+    if (points.length === 1) {  // a mass at a joint
+      this.circle(points[0], 8);
+      this.fill(this.pale(color));
+      this.stroke(color);
+    } else if (points.length > 1) {
       this.path(points, points.length > 2);
       if (!body.given) {
         // An outline of its own around a hull: stroked twice, wide and then a little less.
-        const width = this.thickness(), pale = this.pale(color);
+        const width = this.widening(index), pale = this.pale(color);
         this.stroke(color, width + 2);
         if (points.length > 2) this.fill(pale);
-        this.stroke(pale, width);
+        if (width > 0) this.stroke(pale, width);
       } else {
         this.fill(this.pale(color));
         this.stroke(color, 1.5);
@@ -87,6 +91,21 @@ class Painter {
       this.fill(this.pale(color));
       this.stroke(color);
     }
+  }
+
+  // By how much [pixels] a hull is drawn wider than its points: a block whose corners touch flat walls is
+  // as wide as these are round.
+  widening(index) {
+    const {bodies, shapes} = this.run.drawing, o = bodies[index].outline;
+    const flat = (s) => shapes.some((l) => l.kind === "line" && l.element === s.element);
+    const corners = shapes.filter((s) => s.kind === "disc" && s.body === index && flat(s));
+    let radius = Infinity;
+    for (let i = 0; i + 1 < o.length; i += 2) {
+      const corner = corners.find((s) => Math.hypot(s.points[0] - o[i], s.points[1] - o[i + 1]) < 1e-6 * this.run.size);
+      if (!corner) return this.thickness();
+      radius = Math.min(radius, corner.radius || 0);
+    }
+    return 2 * radius * this.camera.scale;
   }
 
   center(index) {
@@ -122,19 +141,22 @@ class Painter {
   }
 
   line(s) {
-    const wall = s.role === "contact";
+    const wall = s.role === "contact", color = s.body === 0 ? this.color("--ink") : colorOf(s.body - 1);
     const [px, py] = this.first(s), [ux, uy] = this.direction(s.body, s.points[2], s.points[3]);
     const middle = (this.camera.width / 2 - px) * ux + (this.camera.height / 2 - py) * uy;
     const half = this.camera.width + this.camera.height;
     const ends = [middle - half, middle + half].map((k) => [px + k * ux, py + k * uy]);
     this.path(ends);
-    this.stroke(this.color(wall ? "--ink" : "--soft"), wall ? 1.6 : 1, wall ? [] : [10, 4, 2, 4]);
-    if (wall) this.hatch(ends, this.color("--soft"), 9, 7);
+    this.stroke(wall ? color : this.color("--soft"), wall ? 1.6 : 1, wall ? [] : [10, 4, 2, 4]);
+    if (wall) this.hatch(ends, s.body === 0 ? this.color("--soft") : color, 9, 7);
   }
 
   block(s) {
     const [x, y] = this.first(s), [ux, uy] = this.direction(s.body, s.points[2], s.points[3]);
-    const a = 13, b = 8;
+    // Smaller than the roller it carries, so that both are seen.
+    const roller = this.run.drawing.shapes.find((d) => d.kind === "disc" && d.body === s.body && d.radius > 0 &&
+      Math.hypot(d.points[0] - s.points[0], d.points[1] - s.points[1]) < d.radius);
+    const a = roller ? Math.min(13, Math.max(5, 0.5 * roller.radius * this.camera.scale)) : 13, b = a * 8 / 13;
     const corner = (i, j) => [x + i * a * ux - j * b * uy, y + i * a * uy + j * b * ux];
     this.path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true);
     this.fill(this.color("--back"));
@@ -153,6 +175,8 @@ class Painter {
   }
 
   rod(s) {
+    if (s.body === 0) this.foot(this.first(s));
+    if (s.other === 0) this.foot(this.second(s));
     this.path([this.first(s), this.second(s)]);
     this.stroke(this.color("--ink"), 3);
     for (const p of [this.first(s), this.second(s)]) this.circle(p, 3.5), this.fill(this.color("--back")), this.stroke(this.color("--ink"));
@@ -170,6 +194,15 @@ class Painter {
     this.path(points);
     this.stroke(this.color("--spring"), 1.6);
     for (const end of [[ax, ay], [bx, by]]) this.circle(end, 2.5), this.fill(this.color("--spring"));
+    // Held by the ground: a wall across its end, the material behind it.
+    const across = ([x, y], k) => {
+      const ends = [[x - 10 * uy * k, y + 10 * ux * k], [x + 10 * uy * k, y - 10 * ux * k]];
+      this.path(ends);
+      this.stroke(this.color("--ink"), 1.3);
+      this.hatch(ends, this.color("--ink"), 5, 5);
+    };
+    if (s.body === 0) across([ax, ay], -1);
+    if (s.other === 0) across([bx, by], 1);
   }
 
   disc(s) {
@@ -273,14 +306,21 @@ class Painter {
 // From the ground up: what covers what.
 const layers = [["line", "belt"], ["curve", "gear", "rod", "spring"], ["disc"], ["block", "weld", "pin", "point"], ["turn", "arrow"]];
 
+// [m] Of what is drawn of a body, the larger side; rounded, so that equal bodies stay in their order.
+function extentOf({outline}) {
+  const side = (k) => { const x = outline.filter((_, i) => i % 2 === k); return x.length ? Math.max(...x) - Math.min(...x) : 0; };
+  return Number(Math.hypot(side(0), side(1)).toPrecision(3));
+}
+
 function drawMechanism(painter, view) {
   const {run} = painter, shapes = run.drawing.shapes;
   const ground = (s) => s.body === 0 && s.kind === "wall";
   for (const s of shapes) if (layers[0].includes(s.kind) || ground(s)) painter[s.kind](s);
-  // Bodies with slots below those whose pins are in them.
+  // Bodies with slots below those whose pins are in them, large ones below small ones.
   const carries = (i) => shapes.some((s) => s.kind === "wall" && s.body === i);
-  const order = run.drawing.bodies.map((_, i) => i).slice(1).sort((a, b) => carries(b) - carries(a));
-  for (const i of order) {
+  run.order ||= run.drawing.bodies.map((_, i) => i).slice(1).sort((a, b) =>
+    carries(b) - carries(a) || extentOf(run.drawing.bodies[b]) - extentOf(run.drawing.bodies[a]));
+  for (const i of run.order) {
     painter.body(i);
     for (const s of shapes) if (s.kind === "wall" && s.body === i) painter.wall(s);
   }
@@ -289,7 +329,7 @@ function drawMechanism(painter, view) {
   for (let i = 1; i < run.drawing.bodies.length; ++i) painter.center(i);
   for (const trace of view.traces) drawTrace(painter, trace);
   drawForces(painter, view);
-  if (view.names) drawNames(painter);
+  if (view.names) painter.run.boxesOfNames = drawNames(painter);
 }
 
 // {body, x, y} over the whole run, the part behind it stronger.
@@ -345,22 +385,44 @@ function drawForces(painter, view) {
   if (view.arrows !== "none") arrows(run.drawing.shapes.filter((s) => s.role === "load").map((s) => s.element), "--load");
 }
 
+// Names beside what they belong to, none over another and none beyond the picture: bodies above, elements
+// below, where there is room. A name stays where it was as long as it can.
 function drawNames(painter) {
-  const {g, run} = painter;
+  const {g, run, camera} = painter, lineHeight = 15;
+  const placed = run.placesOfNames ||= new Map(), taken = [];
   g.font = "12px system-ui, sans-serif";
   g.lineWidth = 3;
-  const write = (text, [x, y], color) => {
+  const write = (key, text, [x, y], color, down) => {
+    if (!(x >= 0 && x <= camera.width && y >= 0 && y <= camera.height)) return;
+    const width = g.measureText(text).width;
+    // [from, to, above, below] of the k-th place: right, left; a line further; the other way.
+    const place = (k) => {
+      const left = k % 2 ? x - 7 - width : x + 7, line = Math.floor(k / 2) % 5, way = k >= 10 ? -down : down;
+      const base = y + (way > 0 ? 17 : -7) + way * line * lineHeight;
+      return [left, left + width, base - 11, base + 4];
+    };
+    const free = ([a, b, c, d]) => a >= 2 && b <= camera.width - 2 && c >= 2 && d <= camera.height - 2 &&
+      !taken.some((t) => a < t[1] && b > t[0] && c < t[3] && d > t[2]);
+    const before = placed.get(key) || 0;
+    const k = free(place(before)) ? before : Array.from({length: 20}, (_, i) => i).find((i) => free(place(i)));
+    const box = place(k ?? 0);
+    if (k === undefined) {  // no room: at least within the picture
+      const shift = Math.min(0, camera.width - 2 - box[1]) + Math.max(0, 2 - box[0]);
+      box[0] += shift, box[1] += shift;
+    }
+    placed.set(key, k ?? 0);
+    taken.push(box);
     g.strokeStyle = painter.color("--panel");
-    g.strokeText(text, x + 7, y - 7);
+    g.strokeText(text, box[0], box[3] - 4);
     g.fillStyle = color;
-    g.fillText(text, x + 7, y - 7);
+    g.fillText(text, box[0], box[3] - 4);
   };
-  run.drawing.bodies.forEach((b, i) => { if (i > 0) write(b.name, painter.at(i, 0, 0), colorOf(i - 1)); });
+  run.drawing.bodies.forEach((b, i) => { if (i > 0) write(`body ${b.name}`, b.name, painter.at(i, 0, 0), colorOf(i - 1), -1); });
   const seen = new Set();
   for (const s of run.drawing.shapes) {
     if (seen.has(s.element) || !["pin", "weld", "rod", "spring", "block", "point", "disc"].includes(s.kind)) continue;
     seen.add(s.element);
-    const [x, y] = painter.first(s);
-    write(s.element, [x, y + 24], painter.color("--soft"));
+    write(`element ${s.element}`, s.element, painter.first(s), painter.color("--soft"), 1);
   }
+  return taken;
 }

@@ -201,6 +201,7 @@ class TimePlot {
     g.strokeStyle = css("--hot");
     g.globalAlpha = 0.25;
     g.lineWidth = 1;
+    g.setLineDash([]);
     g.beginPath();
     for (const i of impacts) {
       const x = Math.round(u.valToPos(i.onset, "x", true));

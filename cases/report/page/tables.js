@@ -3,6 +3,7 @@
 //
 // Contacts and other events, summary, parameters, and how to make the run again.
 
+const highestTable = 420;  // [px] of the table of contacts, as in the style
 const rowHeight = 24;  // [px] of the table of contacts, of which only what is seen exists
 
 class EventTable {
@@ -16,10 +17,10 @@ class EventTable {
   }
   load(run) {
     const impacts = run.impacts.map((i) => ({
-      t: i.onset, cells: [quantity(i.onset, "s", 6), i.element, i.region, quantity(i.speed, "m/s"), quantity(i.release - i.onset, "s"),
+      t: i.onset, cells: () => [quantity(i.onset, "s", 6), i.element, i.region, quantity(i.speed, "m/s"), quantity(i.release - i.onset, "s"),
         quantity(i.peak, "N"), quantity(i.deepest, "m"), i.restitution === null ? "\u2013" : short(i.restitution, 4)],
     }));
-    const events = run.events.map((e) => ({t: e.t, cells: [quantity(e.t, "s", 6), e.element, e.region || e.kind, e.region ? e.kind : "", "", "", "", ""]}));
+    const events = run.events.map((e) => ({t: e.t, cells: () => [quantity(e.t, "s", 6), e.element, e.region || e.kind, e.region ? e.kind : "", "", "", "", ""]}));
     this.rows = [...impacts, ...events].sort((a, b) => a.t - b.t);
     $("contacts-section").hidden = this.rows.length === 0;
     const text = `${run.impacts.length} contacts, ${run.events.length} other events. A click goes there. Restitution is the speed at release over that of approach.`;
@@ -29,11 +30,12 @@ class EventTable {
     this.draw();
   }
   draw() {
-    const visible = Math.ceil((this.box.clientHeight || 420) / rowHeight) + 2;
+    // Without its rows the box is not as high as it may become.
+    const visible = Math.ceil(Math.max(this.box.clientHeight, highestTable) / rowHeight) + 2;
     const first = Math.max(0, Math.min(Math.floor(this.box.scrollTop / rowHeight) - 1, this.rows.length - visible));
     const rows = this.rows.slice(first, first + visible).map((row, k) => {
       const tr = make("tr", {className: first + k === this.current ? "jump now" : "jump", tabIndex: 0},
-        ...row.cells.map((c, i) => make("td", {textContent: c, className: i === 1 || i === 2 ? "text" : ""})));
+        ...row.cells().map((c, i) => make("td", {textContent: c, className: i === 1 || i === 2 ? "text" : ""})));
       tr.addEventListener("click", () => this.app.jump(row.t));
       tr.addEventListener("keydown", (e) => { if (e.key === "Enter") this.app.jump(row.t); });
       return tr;

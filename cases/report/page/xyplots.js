@@ -5,22 +5,30 @@
 // shows where the animation is.
 
 class XyPlot {
-  // {title, x, y, equal, lines: [{name, color, xy: Float64Array, dots, closed, soft}], mark: (t) => [x, y] or null}
-  constructor(app, spec) {
-    Object.assign(this, {app, spec});
+  // `specOf` makes what is drawn when the plot is first seen: {title, x, y, equal, lines: [{name, color,
+  // xy: Float64Array, dots, closed, soft}], mark: (t) => [x, y] or null}, or null if the run has none of it.
+  constructor(app, title, specOf) {
+    Object.assign(this, {app, title, specOf});
+    this.spec = null;
     this.hidden = new Set();
     this.box = make("div", {className: "plot xy"});
     this.canvas = make("canvas");
-    this.canvas.setAttribute("aria-label", spec.title);
+    this.canvas.setAttribute("aria-label", title);
     this.legend = make("div", {className: "legend"});
     this.tools = make("div");
-    this.heading = make("h3", {textContent: spec.title});
+    this.heading = make("h3", {textContent: title});
     this.box.append(this.heading, this.tools, this.canvas, this.legend);
     this.range = null;  // [left, right, bottom, top] after zooming
     this.listen();
-    this.fillLegend();
   }
-  set(spec) { this.spec = spec; this.range = null; this.heading.textContent = spec.title; this.fillLegend(); this.draw(); }
+  refresh() {
+    this.spec = this.specOf() || this.spec;
+    if (!this.spec) return;
+    this.range = null;
+    this.heading.textContent = this.spec.title;
+    this.fillLegend();
+    this.draw();
+  }
 
   fillLegend() {
     this.legend.replaceChildren();
@@ -59,7 +67,7 @@ class XyPlot {
   }
 
   draw() {
-    if (!this.canvas.clientWidth) return;
+    if (!this.spec || !this.canvas.clientWidth) return;
     const {context: g, width, height} = contextOf(this.canvas);
     const frame = {left: 62, right: width - 10, top: 10, bottom: height - 40};
     let [x0, x1, y0, y1] = this.bounds();
@@ -142,6 +150,7 @@ class XyPlot {
   listen() {
     const at = (e) => { const r = this.canvas.getBoundingClientRect(); return [e.clientX - r.left, e.clientY - r.top]; };
     this.canvas.addEventListener("pointerdown", (e) => {
+      if (!this.map) return;  // not drawn yet
       this.canvas.setPointerCapture(e.pointerId);
       const [x, y] = at(e);
       this.drag = [x, y, x, y];
@@ -175,6 +184,8 @@ const interleave = (n, pair) => {
 // Only what the time axes show, once they are zoomed.
 const within = (app, t) => !app.range || (t >= app.range[0] && t <= app.range[1]);
 
+const hysteresisTitle = (element) => `${element}: force over penetration`;
+
 // Force over penetration of a contact, of all runs in the plots.
 function hysteresisOf(app, element) {
   const runs = app.plotted().filter((r) => r.column(`${element}.normal_force`));
@@ -182,7 +193,7 @@ function hysteresisOf(app, element) {
   const deepest = Math.max(...runs.map((r) => depth(r).values.reduce((a, b) => Math.max(a, b), 0)), 0);
   const f = scaleFor(Math.max(...runs.map((r) => force(r).largest), 0), "N"), d = scaleFor(deepest, "m");
   return {
-    title: `${element}: force over penetration`, x: `penetration [${d.unit}]`, y: `force [${f.unit}]`,
+    title: hysteresisTitle(element), x: `penetration [${d.unit}]`, y: `force [${f.unit}]`,
     lines: runs.map((r) => ({
       name: r.label, color: colorOf(runs.length > 1 ? r.index : 0),
       xy: interleave(r.t.length, (i) => force(r).values[i] > 0 && within(app, r.t[i]) ? [depth(r).values[i] * d.factor, force(r).values[i] * f.factor] : [NaN, NaN]),
@@ -194,12 +205,20 @@ function hysteresisOf(app, element) {
   };
 }
 
+const discOf = (run, element) => run.drawing.shapes.find((s) => s.kind === "disc" && s.element === element);
+const wallOf = (run, element) => run.drawing.shapes.find((s) => (s.kind === "wall" || s.kind === "line") && s.element === element);
+const hasOrbit = (run, element) => Boolean(discOf(run, element) && wallOf(run, element));
+
+function orbitTitle(run, element) {
+  const bore = boreOf(wallOf(run, element), discOf(run, element));
+  return bore ? `${element}: orbit in the clearance` : `${element}: path in its counterpart`;
+}
+
 // Where the centre of a disc goes in the body it touches: within its clearance, if that is a bore.
 function orbitOf(app, element) {
-  const disc = (r) => r.drawing.shapes.find((s) => s.kind === "disc" && s.element === element);
-  const wall = (r) => r.drawing.shapes.find((s) => (s.kind === "wall" || s.kind === "line") && s.element === element);
-  const runs = app.plotted().filter((r) => disc(r) && wall(r));
-  if (!runs.length || !runs.some((r) => r === app.run)) return null;
+  const disc = (r) => discOf(r, element), wall = (r) => wallOf(r, element);
+  const runs = app.plotted().filter((r) => hasOrbit(r, element));
+  if (!hasOrbit(app.run, element)) return null;
   const place = (r, t) => {
     const poses = posesAt(r, t), d = disc(r), b = poses[wall(r).body];
     const [x, y] = pointOf(poses[d.body], d.points[0], d.points[1]);
@@ -214,7 +233,7 @@ function orbitOf(app, element) {
   if (bore)
     lines.unshift({name: "clearance", color: css("--soft"), soft: true, xy: interleave(181, (i) => [bore.gap * factor * Math.cos(i * Math.PI / 90), bore.gap * factor * Math.sin(i * Math.PI / 90)])});
   return {
-    title: bore ? `${element}: orbit in the clearance` : `${element}: path in its counterpart`,
+    title: orbitTitle(app.run, element),
     x: `x [${unit}]`, y: `y [${unit}]`, equal: true, lines,
     mark: (t) => place(app.run, t).map((v, k) => (v - origin[k]) * factor),
   };
@@ -242,12 +261,14 @@ function phaseChoices(run) {
   return choices;
 }
 
+const phaseTitle = "Phase plane";
+
 function phaseOf(app, [q, v]) {
   const runs = app.plotted().filter((r) => r.column(q) && r.column(v));
   const x = scaleFor(Math.max(...runs.map((r) => r.column(q).largest), 0), app.run.column(q).unit);
   const y = scaleFor(Math.max(...runs.map((r) => r.column(v).largest), 0), app.run.column(v).unit);
   return {
-    title: "Phase plane", x: `${q} [${x.unit}]`, y: `${v} [${y.unit}]`,
+    title: phaseTitle, x: `${q} [${x.unit}]`, y: `${v} [${y.unit}]`,
     lines: runs.map((r) => ({
       name: r.label, color: colorOf(runs.length > 1 ? r.index : 0),
       xy: interleave(r.t.length, (i) => within(app, r.t[i]) ? [r.column(q).values[i] * x.factor, r.column(v).values[i] * y.factor] : [NaN, NaN]),
@@ -256,9 +277,10 @@ function phaseOf(app, [q, v]) {
   };
 }
 
-function portraitSpecs(run) {
-  return run.portraits.map((p) => ({
-    title: p.title, x: p.x, y: p.y, equal: p.equal,
-    lines: p.lines.map((line, i) => ({name: line.name, color: colorOf(i), dots: line.dots, xy: Float64Array.from(line.points)})),
-  }));
+// A picture of the case, under a title that names its run where there are several.
+function portraitOf(portrait, title) {
+  return {
+    title, x: portrait.x, y: portrait.y, equal: portrait.equal,
+    lines: portrait.lines.map((line, i) => ({name: line.name, color: colorOf(i), dots: line.dots, xy: Float64Array.from(line.points)})),
+  };
 }

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include <yoke/cases/report/base64.hpp>
 #include <yoke/cases/report/contact_spans.hpp>
@@ -16,6 +18,7 @@
 #include <yoke/cases/report/replay.hpp>
 #include <yoke/cases/report/thinning.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/gear.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/tests/files.hpp>
 #include <yoke/tests/messages.hpp>
@@ -55,6 +58,35 @@ std::vector<EventRecord> one_impact(std::size_t peak) {
 Case named(const std::string& name) {
   return {.name = name, .description = "</script><b>", .parameters = {}};
 }
+
+/// Draws every kind of shape in every role.
+class Everything : public ForceElement {
+ public:
+  explicit Everything(BodyId b) : ForceElement("everything", {b}), b_(b) {}
+  void evaluate(const ForceInput&, const ForceRequest&) const override {}
+  void draw(Drawing& d) const override {
+    const Vec2 o(0.0, 0.0), x(1.0, 0.0);
+    d.pin(ground, o, b_, o);
+    d.weld(ground, o, b_, o);
+    d.line(ground, o, x);
+    d.block(b_, o, x);
+    d.point(b_, o);
+    d.curve(b_, {o, x}, false);
+    d.rod(ground, o, b_, o);
+    d.spring(ground, x, b_, o);
+    d.disc(b_, o, 1.0);
+    d.wall(b_, {o, x}, false);
+    d.endless_wall(b_, o, x);
+    for (const ShapeRole role : {ShapeRole::joint, ShapeRole::spring, ShapeRole::driver,
+                                 ShapeRole::load, ShapeRole::contact}) {
+      d.turn(ground, b_, role);
+      d.arrow(b_, o, ground, x, role);
+    }
+  }
+
+ private:
+  BodyId b_;
+};
 
 TEST_SUITE("report") {
   TEST_CASE("base64 as in RFC 4648") {
@@ -164,6 +196,42 @@ TEST_SUITE("report") {
     CHECK(column("push.fy")["f4"] == base64(loads, sizeof loads));
     CHECK(column("push.fx")["constant"] == 0.0);
     CHECK(column("push.moment")["unit"] == "N m");
+  }
+
+  TEST_CASE("every shape has a function of the page that draws it, every role a colour") {
+    Model m;
+    const BodyId body = m.add({.name = "body", .mass = 1.0, .inertia = 1.0});
+    const BodyId other =
+        m.add({.name = "other", .mass = 1.0, .inertia = 1.0, .pose = {{1.0, 0.0}, 0.0}});
+    m.add(Revolute{.name = "pivot", .a = ground, .b = body, .at = {0.0, 0.0}});
+    m.add(Revolute{.name = "axis", .a = ground, .b = other, .at = {1.0, 0.0}});
+    m.add(Gear{.name = "gear", .a = body, .b = other, .ratio = -1.0});
+    m.add(Gear{.name = "belt", .a = body, .b = other, .ratio = 1.0});
+    m.insert(std::make_unique<Everything>(body));
+    const Case c = named("x");
+    const Parameters none({});
+    const std::vector<EventRecord> events;
+    const Summary summary;
+    const Table table;
+    const nlohmann::json json = nlohmann::json::parse(to_json(Replay{.c = c,
+                                                                     .parameters = none,
+                                                                     .command = "",
+                                                                     .model = m,
+                                                                     .samples = table,
+                                                                     .events = events,
+                                                                     .summary = summary}));
+    const std::string page = yoke::tests::source("cases/report/page/mechanism.js");
+    std::set<std::string> kinds, roles;
+    for (const auto& shape : json["drawing"]["shapes"]) {
+      kinds.insert(shape["kind"]);
+      roles.insert(shape["role"]);
+    }
+    for (const std::string& kind : kinds)
+      CHECK_MESSAGE(contains(page, "\n  " + kind + "(s) {"), kind);
+    const std::string colors = page.substr(page.find("const roleColor"), 200);
+    for (const std::string& role : roles) CHECK_MESSAGE(contains(colors, role + ": "), role);
+    CHECK(kinds.size() == 14);
+    CHECK(roles.size() == 5);
   }
 
   TEST_CASE("names are text: nothing in them ends the data or begins an element") {
