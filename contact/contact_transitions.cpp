@@ -199,7 +199,12 @@ void ContactElement::assume_approach(EventContext& context, const Approach& now)
   memory.approach_velocity =
       approach_velocity_to({local.elastic(), here.dissipation}, memory, now.penetration, now.rate);
   note_side_of_kink(memory, now);
-  if (context.note && !here.dissipation.none())
+  // Of no interest where the law does not ask for it.
+  ContactMemory faster = memory;
+  faster.approach_velocity *= 2.0;
+  const bool matters = local.evaluate({now.penetration, now.rate + 1.0, memory}).force !=
+                       local.evaluate({now.penetration, now.rate + 1.0, faster}).force;
+  if (context.note && matters)
     context.note(fmt::format(
         "starts {:.4g} m deep in the wall at a rate of {:.4g} m/s; its approach velocity is taken "
         "to be {:.4g} m/s, that of the impact which would have led there",

@@ -14,13 +14,14 @@
 #include <utility>
 
 #include <yoke/contact/laws/catalog/friction_catalog.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
 
 namespace yoke::cases {
 
 namespace {
 
-constexpr double contact_exponent = 1.5;
+constexpr double contact_exponent = 1.5, contact_damping = 10.0;  // [s/m]
 using PressedMass = std::function<Pressed(const Parameters&)>;
 
 /// The value of a parameter of a friction law, if the case decides it. Bristles bend by the parameter
@@ -44,8 +45,7 @@ NamedLaw law_named_after(const char* friction, const char* description,
               if (const auto value = own_value(each.name, p, pressed))
                 values.emplace_back(each.name, *value);
             return ContactLaw{PowerLaw{p.number("stiffness"), contact_exponent},
-                              {},
-                              make_friction(friction, values)};
+                              HuntCrossley{contact_damping}, make_friction(friction, values)};
           }};
 }
 

@@ -23,7 +23,7 @@ struct Pressed {
   double normal_force = 0.0;  // [N]
 };
 
-/// An elastic contact, K d^1.5, with the friction law after which it is called: brown-mcphee (the
+/// A contact K d^1.5 (1 + 10 s/m d'), with the friction law after which it is called: brown-mcphee (the
 /// base), regularised-coulomb, stribeck, bengisu-akay, dahl and lugre. `walls` as in ContactChoice.
 ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls,
                             const std::function<Pressed(const Parameters&)>& pressed);

@@ -78,6 +78,14 @@ void write_hardest(const LawRun& run, const std::filesystem::path& path) {
       text += fmt::format("\n{:.9g},{:.7g},{:.7g}", t[i], 1e6 * penetration[i], force[i]);
     text += fmt::format("\n{:.9g},0,0", t[last - 1]);
   }
+  if (text.find('\n') == std::string::npos) {  // it lasts, or did from the start
+    Eigen::Index first = peak, last = peak;
+    while (first > 0 && force[first - 1] > 0.0) --first;
+    while (last + 1 < force.size() && force[last + 1] > 0.0) ++last;
+    const Eigen::Index every = std::max<Eigen::Index>(1, (last - first) / 4000);
+    for (Eigen::Index i = first; i <= last; i += every)
+      text += fmt::format("\n{:.9g},{:.7g},{:.7g}", t[i], 1e6 * penetration[i], force[i]);
+  }
   write_text(path, text);
 }
 

@@ -85,13 +85,26 @@ double force_top_of(const LawRun& run, const Texts& joints) {
 constexpr std::array body_quantities = {"x_m",        "y_m",        "angle_rad",
                                         "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s"};
 
-/// Quantities that no body changes beyond rounding of the largest one; not drawn.
+/// Quantities that no body changes beyond rounding of the largest one, or beside the same along the other
+/// axis; not drawn.
 Texts still_quantities(const Table& samples, const Texts& bodies) {
+  constexpr double beside = 1e-7;
   Texts names;
   for (const char* quantity : body_quantities) {
+    std::string other = quantity;  // "y_m" of "x_m"
+    for (char& axis : other)
+      if (axis == 'x' || axis == 'y') {
+        axis = axis == 'x' ? 'y' : 'x';
+        break;
+      }
+    double along_other = 0.0;
+    for (const std::string& body : bodies)
+      along_other = std::max(along_other, range_of(samples, body + "." + other));
+    if (other == quantity) along_other = 0.0;
     const bool moves = std::ranges::any_of(bodies, [&](const std::string& body) {
       const Eigen::VectorXd values = samples[body + "." + quantity];
-      return values.maxCoeff() - values.minCoeff() > 1e-12 * values.cwiseAbs().maxCoeff();
+      const double range = values.maxCoeff() - values.minCoeff();
+      return range > 1e-12 * values.cwiseAbs().maxCoeff() && range > beside * along_other;
     });
     if (!moves) names.emplace_back(quantity);
   }

@@ -365,11 +365,13 @@ function drawForces(painter, view) {
   for (const element of contacts) {
     const contact = contactAt(run, element, t, poses);
     if (!contact || !(contact.force > 0)) continue;
-    const point = camera.screen(contact.point), size = length * contact.force / (reference || 1);
+    const point = camera.screen(contact.point), scale = length / (reference || 1);
+    const [nx, ny] = contact.normal;
     painter.circle(point, 3.5);
     painter.fill(painter.color("--hot"));
     if (view.arrows !== "none")
-      painter.vector(point, [-contact.normal[0] * size, contact.normal[1] * size], painter.color("--hot"));
+      painter.vector(point, [scale * (contact.friction * ny - contact.force * nx), scale * (contact.force * ny + contact.friction * nx)],
+                     painter.color("--hot"));
   }
   const arrows = (elements, color) => {
     const pairs = elements.map((e) => [e, run.column(`${e}.fx`), run.column(`${e}.fy`)]).filter((p) => p[1] && p[2]);

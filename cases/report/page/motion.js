@@ -71,13 +71,15 @@ function contactAt(run, element, t, poses) {
   const length = Math.hypot(nx, ny);
   if (!(length > 1e-12)) return null;
   const turn = wall ? poses[wall.body].angle - then[wall.body].angle : 0;
-  const c = Math.cos(turn) / length, s = Math.sin(turn) / length;
+  // Within the wall a point looks back to the surface.
+  const radius = disc.radius || 0, side = penetrations.values[near] > radius ? -1 : 1;
+  const c = side * Math.cos(turn) / length, s = side * Math.sin(turn) / length;
   [nx, ny] = [c * nx - s * ny, s * nx + c * ny];
-  const radius = disc.radius || 0;
   const force = between(run, run.column(`${element}.normal_force`), t, row);
+  const frictions = run.column(`${element}.friction_force`);
   const curvature = run.column(`${element}.wall_curvature`);
   return {
-    element, center, radius, normal: [nx, ny], depth, force,
+    element, center, radius, normal: [nx, ny], depth, force, friction: frictions ? between(run, frictions, t, row) : 0,
     wallBody: wall ? wall.body : 0, body: disc.body,
     curvature: curvature ? curvature.values[near] : 0,
     point: [center[0] + (radius - depth) * nx, center[1] + (radius - depth) * ny],

@@ -31,6 +31,8 @@ function plotGroups(runs) {
   };
   const of = (set, ...fields) => (owner, field) => set.has(owner) && fields.includes(field);
   group("Contact force", of(contacts, "normal_force"));
+  group("Friction force", of(contacts, "friction_force"));
+  if (groups.some((g) => g.title === "Friction force")) group("Sliding velocity", of(contacts, "tangential_velocity"));
   group("Penetration", of(contacts, "penetration"));
   group("Position", of(bodies, "x", "y"));
   group("Angle", of(bodies, "angle"));
@@ -45,6 +47,13 @@ function plotGroups(runs) {
   group("Penetration rate", of(contacts, "penetration_rate"));
   group("Loads and others", (owner, field) => !contacts.has(owner) && field !== "balance");
   return groups;
+}
+
+// As uPlot would choose it, but rounding of a constant does not fill the plot.
+function readableRange(low, high) {
+  if (low === null || high === null) return [0, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  return high - low < 1e-9 * size ? [low - 0.1 * size, high + 0.1 * size] : uPlot.rangeNum(low, high, 0.1, true);
 }
 
 class TimePlot {
@@ -124,7 +133,7 @@ class TimePlot {
       width: this.widthOf(side), height: side ? 170 : 210,
       legend: {show: false},
       cursor: {y: false, drag: {x: true, y: false, setScale: false}, sync: {key: "yoke", setSeries: false}, points: {size: 6}},
-      scales: {x: {time: false}, ...(side ? {y: {range: () => this.commonRange()}} : {})},
+      scales: {x: {time: false}, y: {range: side ? () => this.commonRange() : (u, low, high) => readableRange(low, high)}},
       series: [{}, ...shown.map((s) => ({
         stroke: this.colorFor(s, runs), width: 1.4, pxAlign: 0, spanGaps: !same, points: {show: false},
         dash: runs.length > 1 ? dashes[s.quantity % dashes.length] : [],
