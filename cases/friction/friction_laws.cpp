@@ -73,7 +73,7 @@ std::vector<CaseParameter> friction_parameters(const char* mu, const char* mu_st
           {.name = "threshold",
            .quantity = Quantity::number,
            .default_text = "0.001",
-           .low = 1e-5,
+           .low = 1e-4,
            .high = 1.0,
            .description = "sliding velocity below which the laws without bristles creep, in m/s"},
           {.name = "presliding",
