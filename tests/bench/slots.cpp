@@ -3,11 +3,12 @@
 //
 // What the shape of a slot costs: the paper's scotch-yoke with its circular slot as arc_slot, and
 // the same slot as a curve: one arc, a chain of eight arcs, a spline through 200 points. All follow
-// the same motion. They are run in turn; the counters are medians over the rounds:
+// the same motion. And what friction costs in it. They are run in turn; the counters are medians over
+// the rounds:
 //   ratio             time per evaluation of the equations, that of arc_slot is 1
 //   run_ratio         time of the run
 //   evaluations       of the run
-// aims: one arc 1.1, eight arcs 1.3, spline 1.5
+// aims: one arc 1.1, eight arcs 1.3, spline 1.5; friction without a state 1.2
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,6 +22,9 @@
 #include <yoke/contact/geometry/curve_slot.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
+#include <yoke/contact/laws/friction/brown_mcphee.hpp>
+#include <yoke/contact/laws/friction/lugre.hpp>
+#include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/core/curves/smooth_curves.hpp>
@@ -63,7 +67,7 @@ Slot as_spline(const Vec2& center) {
   return curve_slot({.centreline = curve_through(points), .half_width = half_width});
 }
 
-Model yoke_with(const std::function<Slot(const Vec2&)>& slot) {
+Model yoke_with(const std::function<Slot(const Vec2&)>& slot, const FrictionLaw& friction = {}) {
   const double root = std::sqrt(R * R - std::pow(r * std::sin(start), 2));
   const double x = r * std::cos(start) + root;
   const double v = -r * std::sin(start) * (1.0 + r * std::cos(start) / root) * omega;
@@ -84,7 +88,7 @@ Model yoke_with(const std::function<Slot(const Vec2&)>& slot) {
   m.add(PinInSlot{.name = "slot",
                   .pin = {crank, rotate(start, Vec2(r, 0.0)), 7.9e-3},
                   .slot = {slider, slot({x, 0.0})},
-                  .law = ContactLaw{per_mm(4.907e4, 1.10), HuntCrossley{0.32}}});
+                  .law = ContactLaw{per_mm(4.907e4, 1.10), HuntCrossley{0.32}, friction}});
   return m;
 }
 
@@ -105,8 +109,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void slot_shape(benchmark::State& state, const std::function<Slot(const Vec2&)>& slot) {
-  const Model reference = yoke_with(as_arc_slot), model = yoke_with(slot);
+void compare(benchmark::State& state, const Model& model) {
+  const Model reference = yoke_with(as_arc_slot);
   std::vector<double> per_evaluation, per_run;
   long evaluations = 0;
   for (auto _ : state)
@@ -122,11 +126,22 @@ void slot_shape(benchmark::State& state, const std::function<Slot(const Vec2&)>&
   state.counters["evaluations"] = static_cast<double>(evaluations);
 }
 
+void slot_shape(benchmark::State& state, const std::function<Slot(const Vec2&)>& slot) {
+  compare(state, yoke_with(slot));
+}
+void friction(benchmark::State& state, const FrictionLaw& law) {
+  compare(state, yoke_with(as_arc_slot, law));
+}
+
 BENCHMARK_CAPTURE(slot_shape, arc_slot, as_arc_slot)->Iterations(1);
 BENCHMARK_CAPTURE(slot_shape, one_arc, [](const Vec2& c) { return as_arcs(c, 1); })->Iterations(1);
 BENCHMARK_CAPTURE(slot_shape, eight_arcs, [](const Vec2& c) {
   return as_arcs(c, 8);
 })->Iterations(1);
 BENCHMARK_CAPTURE(slot_shape, spline_200, as_spline)->Iterations(1);
+BENCHMARK_CAPTURE(friction, regularised_coulomb, RegularisedCoulomb{.mu = 0.1})->Iterations(1);
+BENCHMARK_CAPTURE(friction, brown_mcphee, BrownMcPhee{.mu = 0.1, .mu_static = 0.12})->Iterations(1);
+BENCHMARK_CAPTURE(friction, lugre, LuGre{.mu = 0.1, .mu_static = 0.12, .stiffness = 1e6})
+    ->Iterations(1);
 
 }  // namespace
