@@ -49,11 +49,6 @@ struct ContinuedFollowing {
   std::string name() const { return law.name(); }
 };
 
-bool wants_jacobian(const ForceRequest& out) {
-  return out.dQ_dq != nullptr || out.dQ_dv != nullptr || out.dQ_dz != nullptr ||
-         out.dz_dq != nullptr || out.dz_dv != nullptr || out.dz_dz != nullptr;
-}
-
 }  // namespace
 
 ContactElement::ContactElement(std::string name, BodyId a, BodyId b,

@@ -48,6 +48,7 @@ void ContactElement::add_friction(const ForceInput& in, const ForceRequest& out,
   if (state && out.z_dot != nullptr) out.z_dot[0] = f.rate;
   if (state && out.dz_dz != nullptr) out.dz_dz[0] = f.drate_dstate;
 
+  if (!wants_jacobian(out)) return;
   const double presses = pressure.force > 0.0 ? 1.0 : 0.0;
   for (std::size_t j = 0; j < columns; ++j) {
     double slip_q = 0.0;

@@ -30,14 +30,11 @@ namespace {
 using namespace yoke::literals;
 
 struct BeltOscillator {
-  static constexpr double g = 9.81;     // [m/s^2]
-  double mass, spring, belt, duration;  // [kg, N/m, m/s, s]
+  static constexpr double g = 9.81;  // [m/s^2]
+  double mass, spring, belt;         // [kg, N/m, m/s]
 
   explicit BeltOscillator(const Parameters& p)
-      : mass(p.number("mass")),
-        spring(p.number("spring")),
-        belt(p.number("belt_speed")),
-        duration(p.number("duration")) {}
+      : mass(p.number("mass")), spring(p.number("spring")), belt(p.number("belt_speed")) {}
 
   double normal_force() const { return mass * g; }
 };

@@ -23,6 +23,11 @@ inline constexpr double usable_share_of_limit = 0.99;
 /// ContactMemory::release_penetration [m] of what is apart behind the wall.
 inline constexpr double behind_the_wall = std::numeric_limits<double>::max();
 
+inline bool wants_jacobian(const ForceRequest& out) {
+  return out.dQ_dq != nullptr || out.dQ_dv != nullptr || out.dQ_dz != nullptr ||
+         out.dz_dq != nullptr || out.dz_dv != nullptr || out.dz_dz != nullptr;
+}
+
 inline double dot(const ContactRow& a, const ContactRow& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < columns; ++i) sum += a[i] * b[i];
