@@ -69,6 +69,7 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
   for (const ContactLaw& each : laws_) {
     has_friction_ = has_friction_ || !each.friction.none();
     has_bristles_ = has_bristles_ || each.friction.has_state();
+    may_hold_ = may_hold_ || each.friction.holds();
   }
   if (has_friction_ && !geometry_->knows_slip())
     throw ModelError(fmt::format(
@@ -137,7 +138,7 @@ void ContactElement::evaluate(const ForceInput& in, const ForceRequest& out) con
     evaluate_following(in, out, pressure);
   else
     evaluate_normal(in, out, pressure);
-  if (!apart && !law(memory.region).friction.none()) add_friction(in, out, pressure);
+  if (slides(memory)) add_friction(in, out, pressure);
 }
 
 void ContactElement::evaluate_normal(const ForceInput& in, const ForceRequest& out,
@@ -252,8 +253,9 @@ void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   values[6] = place.tangential_velocity;
   values[7] = place.wall_curvature;
   if (!has_friction_) return;
-  const bool slides = !apart && !law(region).friction.none();
-  values[8] = slides ? calc_friction(in, values[2], place.tangential_velocity).force : 0.0;
+  const double held = in.hold != nullptr ? *in.hold : 0.0;
+  values[8] =
+      slides(memory) ? calc_friction(in, values[2], place.tangential_velocity).force : held;
 }
 
 }  // namespace yoke

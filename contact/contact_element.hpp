@@ -24,6 +24,10 @@
 // What drives a belt does the work T times its speed. z is zero while apart; a release counts what the
 // bristles store as dissipated.
 //
+// Coulomb's law itself (FrictionLaw::holds) is no force while the surfaces stick: the row s v = surface
+// speed is then one of the equations of motion, of velocity level, with the multiplier T (calc_hold).
+// Sliding has the direction of memory.grip, so that T is smooth between events.
+//
 // The state machine. Between events the formula of one region is continued smoothly, whatever the
 // sign of d; transitions happen at located events only:
 //   apart        no force. `onset` when d of the nearest region crosses zero upwards.
@@ -40,6 +44,8 @@
 //   kink         where the law declares a corner of its formula: the integrator restarts.
 //   fullest      lifted (below), where the law's force is largest over d: no transition, but a
 //                force that appeared and vanished within one step is detected.
+//   grip         where friction that holds reaches its limit, or sliding ends. What becomes of it is
+//                settled for all contacts together (core/equations/grips.hpp).
 //   failure      at 99 % of the largest penetration for which the elastic law is valid. Within the
 //                step that meets it, the law is continued along its tangent.
 // Two kinds of "apart" have a memory; memory.release_penetration distinguishes them:
@@ -98,6 +104,11 @@ class ContactElement final : public ForceElement {
   /// "bristles" [m], if a region's friction law has a state.
   std::vector<Channel> states() const override;
 
+  bool may_hold() const override { return may_hold_; }
+  void calc_hold(const ForceInput& in, const ConstraintRequest& out) const override;
+  double holding_force(const ForceInput& in) const override;
+  void grip_changed(Grip before, EventContext& context) const override;
+
   int contacts() const override { return 1; }
   /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
   /// One that penetrates is taken for the impact that would have led there, and a note says so.
@@ -119,6 +130,7 @@ class ContactElement final : public ForceElement {
     closest,
     kink,
     fullest,
+    grip,
     event_count
   };
   int events() const override { return event_count; }
@@ -157,6 +169,12 @@ class ContactElement final : public ForceElement {
   void evaluate_normal(const ForceInput& in, const ForceRequest& out, Pressure& pressure) const;
   void evaluate_following(const ForceInput& in, const ForceRequest& out, Pressure& pressure) const;
   void add_friction(const ForceInput& in, const ForceRequest& out, const Pressure& pressure) const;
+  bool slides(const ContactMemory& memory) const;
+  bool holds(int region) const { return law(region).friction.holds(); }
+  double sliding_velocity(const ForceInput& in) const;
+  double calc_grip_event(const ForceInput& in) const;
+  void handle_grip(EventContext& context) const;
+  void take_grip(EventContext& context) const;
   FrictionOutput calc_friction(const ForceInput& in, double normal_force, double sliding) const;
   void let_bristles_go(EventContext& context, int region) const;
   void pass_bristles_on(EventContext& context, int from, int to) const;
@@ -200,7 +218,7 @@ class ContactElement final : public ForceElement {
   std::vector<std::string> region_names_;
   double penetration_scale_ = 0.0;
   double reference_force_;  // [N]
-  bool has_friction_ = false, has_bristles_ = false;
+  bool has_friction_ = false, has_bristles_ = false, may_hold_ = false;
 };
 
 }  // namespace yoke

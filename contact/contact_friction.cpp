@@ -23,7 +23,91 @@ FrictionOutput ContactElement::calc_friction(const ForceInput& in, double normal
       .friction.evaluate({.normal_force = std::max(normal_force, 0.0),
                           .sliding = sliding,
                           .state = has_bristles_ ? in.z[0] : 0.0,
+                          .direction = in.contact->grip == Grip::forward    ? 1.0
+                                       : in.contact->grip == Grip::backward ? -1.0
+                                                                            : 0.0,
                           .reference_force = reference_force_});
+}
+
+/// In contact, with friction that is a force now.
+bool ContactElement::slides(const ContactMemory& memory) const {
+  if (memory.phase == ContactPhase::apart || law(memory.region).friction.none()) return false;
+  return !holds(memory.region) || memory.grip == Grip::forward || memory.grip == Grip::backward;
+}
+
+double ContactElement::sliding_velocity(const ForceInput& in) const {
+  SlipKinematics k;
+  geometry_->calc_slip(in.motion, in.contact->region, false, k);
+  return dot(k.row, velocity(in.motion)) - geometry_->surface_speed();
+}
+
+void ContactElement::calc_hold(const ForceInput& in, const ConstraintRequest& out) const {
+  SlipKinematics k;
+  const bool want_slope = out.gamma != nullptr || out.H != nullptr || out.K != nullptr;
+  geometry_->calc_slip(in.motion, in.contact->region, want_slope, k);
+  const ContactRow v = velocity(in.motion);
+  if (out.G != nullptr) std::ranges::copy(k.row, out.G);
+  if (out.phi_t != nullptr) *out.phi_t = -geometry_->surface_speed();
+  if (out.gamma != nullptr) *out.gamma = -dot(v, times(k.slope, v));
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (out.H != nullptr) {
+      out.H[i] = 0.0;
+      for (std::size_t j = 0; j < columns; ++j) out.H[i] += v[j] * k.slope[columns * j + i];
+    }
+    for (std::size_t j = 0; out.K != nullptr && j < columns; ++j)
+      out.K[columns * i + j] += *out.lambda * k.slope[columns * i + j];
+  }
+}
+
+double ContactElement::holding_force(const ForceInput& in) const {
+  const double pressure = std::max(calc_law(in, *in.contact).force, 0.0);
+  return law(in.contact->region).friction.holding_force(pressure);
+}
+
+/// [N] or [m/s] positive where the hold has broken, or sliding has come back through zero.
+double ContactElement::calc_grip_event(const ForceInput& in) const {
+  switch (in.contact->grip) {
+    case Grip::held:
+    case Grip::carried:
+      return in.hold != nullptr ? std::abs(*in.hold) - holding_force(in) : -1.0;
+    case Grip::forward:
+      return -sliding_velocity(in);
+    case Grip::backward:
+      return sliding_velocity(in);
+    default:
+      return -1.0;
+  }
+}
+
+void ContactElement::handle_grip(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  const bool held = memory.grip == Grip::held || memory.grip == Grip::carried;
+  if (!held)
+    memory.grip = Grip::undecided;
+  else if (context.input.hold != nullptr)
+    memory.grip = *context.input.hold < 0.0 ? Grip::backward : Grip::forward;
+}
+
+/// At an onset, or where the contact has come to another law.
+void ContactElement::take_grip(EventContext& context) const {
+  ContactMemory& memory = *context.contact;
+  if (!holds(memory.region)) {
+    memory.grip = Grip::none;
+    return;
+  }
+  const double speed = sliding_velocity(context.input);
+  const bool rests = memory.grip == Grip::held || memory.grip == Grip::carried || speed == 0.0;
+  memory.grip = rests ? Grip::undecided : speed > 0.0 ? Grip::forward : Grip::backward;
+}
+
+void ContactElement::grip_changed(Grip before, EventContext& context) const {
+  const auto rests = [](Grip g) { return g == Grip::held || g == Grip::carried; };
+  const ContactMemory& memory = *context.contact;
+  const bool begins = before == Grip::none || memory.grip == Grip::none;
+  if (rests(memory.grip) == rests(before) && (begins || rests(before))) return;
+  if (begins && !rests(memory.grip)) return;
+  const Approach now = calc_approach(context, memory.region);
+  record(context, rests(memory.grip) ? "stick" : "slip", memory.region, now);
 }
 
 void ContactElement::add_friction(const ForceInput& in, const ForceRequest& out,

@@ -120,6 +120,9 @@ void ContactElement::handle_event(int event, EventContext& context) const {
     case kink:
       if (!apart || lifted(context.input, *context.contact)) handle_kink(context);
       break;
+    case grip:
+      if (!apart) handle_grip(context);
+      break;
     default:
       break;
   }
@@ -147,6 +150,7 @@ void ContactElement::handle_onset(EventContext& context) const {
     memory.phase = law(region).dissipation.needs_largest_penetration() ? ContactPhase::restituting
                                                                        : ContactPhase::compressing;
     memory.release_penetration = 0.0;
+    take_grip(context);
   } else {
     begin(context, region, now);
   }
@@ -172,6 +176,7 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
   memory.onset_time = context.input.motion.t;
   memory.approach_velocity = std::max(now.rate, 0.0);
   memory.effective_mass = context.effective_mass(now.gradient.data());
+  take_grip(context);
   if (context.fail && !std::isfinite(memory.effective_mass) && !works_without_mass(memory, now))
     context.fail(fmt::format(
         "{}: the law '{}' damps with the effective mass of the contact, but at t = {:.9g} s drivers "
@@ -232,6 +237,7 @@ void ContactElement::handle_release(EventContext& context, bool pulled_off) cons
   if (!pulled_off && now.rate > 0.0 && leaves_band(context.input, now)) return;
   const double let_go = memory.permanent_set;
   memory.phase = ContactPhase::apart;
+  memory.grip = Grip::none;
   let_bristles_go(context, region);
   if (pulled_off && now.penetration > let_go + 2.0 * touch(context.input)) {
     memory.release_penetration = now.penetration;
@@ -294,6 +300,7 @@ void ContactElement::handle_region_end(EventContext& context) const {
     end_compression(memory, now.penetration);
   }
   pass_bristles_on(context, before, memory.region);
+  if (may_hold_) take_grip(context);
   // Laws of different stiffness store different energies at the same penetration.
   if (context.dissipate)
     context.dissipate(stored_before - calc_law(context.input, memory).stored_energy);

@@ -10,6 +10,16 @@ namespace yoke {
 
 enum class ContactPhase { apart, compressing, restituting };
 
+/// Dry friction that can hold (FrictionLaw::holds), at one contact.
+enum class Grip {
+  none,       // no contact, or no such friction
+  held,       // at rest: a row of the equations of motion holds it
+  carried,    // at rest without a row of its own: those of others hold it too
+  forward,    // slides with a positive sliding velocity, or begins to
+  backward,   // with a negative one
+  undecided,  // at rest at this instant: between an event and what becomes of it only
+};
+
 /// Discrete memory of one contact. Penetration > 0 in contact, rate > 0 while approaching.
 struct ContactMemory {
   ContactPhase phase = ContactPhase::apart;
@@ -21,6 +31,7 @@ struct ContactMemory {
   double permanent_set = 0.0;        // [m] residual indentation left by this contact
   double release_penetration = 0.0;  // [m] of the next onset, see contact_element.hpp
   bool past_kink = false;            // of the dissipative law, if its formula has one
+  Grip grip = Grip::none;
   friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
 };
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include <yoke/core/constraint.hpp>
 #include <yoke/core/contact_memory.hpp>
 #include <yoke/core/motion.hpp>
 
@@ -63,6 +64,7 @@ struct ForceInput {
   const ContactMemory* contact = nullptr;  // [contacts()]
   Scales scales{};                         // of the model: what is small beside them
   double rounding = 0.0;                   // [m] of the model's coordinates, a few last places
+  const double* hold = nullptr;  // [N] what an element that may hold holds now; null if not known
 };
 
 /// The blocks that evaluate() computes; null pointers are skipped. Blocks are row-major and zero on
@@ -161,6 +163,19 @@ class ForceElement {
   /// Distinguishes elements of one kind whose evaluate() returns the same; part of the fingerprint
   /// of a model.
   virtual std::string signature() const { return {}; }
+
+  /// Dry friction that holds. While the grip of the element's first contact memory is `held`, the
+  /// equations of motion have a row s v + s_t = 0 for it, of velocity level, with a multiplier T of its
+  /// own: the element feels -s^T T. evaluate() gives no friction then. The element sets a grip to
+  /// `undecided` where sliding ends, to `forward` or `backward` where a hold breaks; which grips hold is
+  /// settled for all together (core/equations/grips.hpp).
+  virtual bool may_hold() const { return false; }
+  /// G = s [1 x 3k], phi_t = s_t, gamma = -(ds/dt) v, H = d(s v)/dq, K = d(s^T lambda)/dq.
+  virtual void calc_hold(const ForceInput&, const ConstraintRequest&) const {}
+  /// [N] the largest |T|.
+  virtual double holding_force(const ForceInput&) const { return 0.0; }
+  /// Called where a grip has been settled otherwise than it was `before`.
+  virtual void grip_changed(Grip /*before*/, EventContext&) const {}
 
   virtual std::vector<Channel> channels() const { return {}; }
   virtual void calc_channels(const ForceInput&, double* /*values*/) const {}

@@ -8,6 +8,9 @@
 //   z' = f(N, v, z)   of laws that have a state, the deflection of bristles, say
 //   ledger         T v = dS/dt + D    at every instant, S(z) [J] stored energy, D [W] >= 0
 //
+// A law that holds is one of dry friction itself: at rest it is not a force but a constraint, as long as
+// that needs no more than holding_force(N). It is evaluated only where the surfaces slide, or begin to.
+//
 // A law needs no base class: anything callable with a FrictionInput. Laws that ship are in
 // contact/laws/friction/.
 #pragma once
@@ -24,6 +27,7 @@ struct FrictionInput {
   double normal_force = 0.0;  // [N] N >= 0
   double sliding = 0.0;       // [m/s] v, of one surface relative to the other
   double state = 0.0;         // z of a law that has one
+  double direction = 0.0;     // +1 or -1: which way it slides, also where v is zero; of laws that hold
   double reference_force =
       1.0;  // [N] a light load of this pair of surfaces: what is small beside it
 };
@@ -51,6 +55,8 @@ concept FrictionFunction = requires(const F& law, const FrictionInput& in) {
 ///   double state_scale(double reference_force) const
 ///                              the law has a state z; its typical size, which error weights are
 ///                              made from, under a light load [N]
+///   double holding_force(double normal_force) const
+///                              [N] the law holds, with up to this force
 ///   std::string name() const   for results and errors
 ///   void check() const         throws ModelError if a parameter is wrong; called once, here
 class FrictionLaw {
@@ -69,6 +75,12 @@ class FrictionLaw {
   double state_scale(double reference_force) const {
     return function_->state_scale(reference_force);
   }
+  /// At rest it is a constraint.
+  bool holds() const { return function_ && function_->holds(); }
+  /// Only if holds().
+  double holding_force(double normal_force) const {
+    return function_->holding_force(normal_force);
+  }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
  private:
@@ -77,6 +89,8 @@ class FrictionLaw {
     virtual FrictionOutput evaluate(const FrictionInput&) const = 0;
     virtual bool has_state() const = 0;
     virtual double state_scale(double reference_force) const = 0;
+    virtual bool holds() const = 0;
+    virtual double holding_force(double normal_force) const = 0;
     virtual std::string name() const = 0;
   };
 
@@ -93,12 +107,22 @@ class FrictionLaw {
       else
         return 0.0 * reference_force;
     }
+    bool holds() const override { return holding; }
+    double holding_force(double normal_force) const override {
+      if constexpr (holding)
+        return law.holding_force(normal_force);
+      else
+        return 0.0 * normal_force;
+    }
     std::string name() const override {
       if constexpr (requires { law.name(); })
         return law.name();
       else
         return "friction law";
     }
+    static constexpr bool holding = requires(const F& f, double x) {
+      { f.holding_force(x) } -> std::convertible_to<double>;
+    };
     static constexpr bool stateful = requires(const F& f, double x) {
       { f.state_scale(x) } -> std::convertible_to<double>;
     };

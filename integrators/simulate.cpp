@@ -111,7 +111,7 @@ Run::Run(const Model& model, const State& state, const SimulationOptions& option
       state_(state),
       sample_(state),
       checkpoints_(options, t_start),
-      locator_(dynamics_.system()),
+      locator_(dynamics_),
       elements_(dynamics_, state_, result_,
                 [this](Stop why, std::string reason) { stop(why, std::move(reason)); }),
       impasse_(dynamics_) {}
@@ -249,7 +249,7 @@ void Run::write_checkpoint() {
   checkpoints_.write({.formulation = std::string(entry_.name),
                       .scales = dynamics_.system().scales(),
                       .state = state_,
-                      .dropped_rows = dynamics_.system().dropped_rows(),
+                      .dropped_rows = dynamics_.system().left_out_rows(),
                       .next_sample = samples_->next(),
                       .ledger = samples_->ledger(),
                       .summary = result_.summary,
@@ -354,7 +354,7 @@ State Run::last_good_state() {
 std::string Run::dead_point() {
   const System& system = dynamics_.system();
   const State from = degrees_of_freedom(dynamics_) == 0 ? state_ : last_good_state();
-  return find_dead_point(system.model(), from, system.dropped_rows(), result_.summary.t_end,
+  return find_dead_point(system.model(), from, system.left_out_rows(), result_.summary.t_end,
                          dead_point_reach * system.scales().time);
 }
 

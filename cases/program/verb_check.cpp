@@ -34,7 +34,7 @@ std::vector<JointResidual> residuals(Dynamics& dynamics, const State& state) {
   system.calc_position_level(phi.data());
   system.calc_velocity_residual(rate.data());
   std::vector<JointResidual> list;
-  for (const ConstraintSlot& c : system.constraints()) {
+  for (const ConstraintSlot& c : system.joints()) {
     JointResidual r{.joint = c.element->name()};
     for (int row = c.row; row < c.row + c.rows; ++row) {
       const bool length = system.measure(row) == Measure::length;

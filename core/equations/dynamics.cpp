@@ -29,8 +29,9 @@ void Dynamics::build_matrix() {
   const int n = system_.dofs();
   PatternBuilder pattern(n + system_.rows());
   for (int i = 0; i < n; ++i) pattern.add(i, i);
-  for (const int row : system_.dropped_rows()) pattern.add(n + row, n + row);
-  const auto diagonal = at(n) + system_.dropped_rows().size();
+  for (const int row : system_.left_out_rows()) pattern.add(n + row, n + row);
+  const auto diagonal = at(n) + system_.left_out_rows().size();
+  for (const ConstraintSlot& c : system_.holds()) pattern.add(n + c.row, n + c.row);
   stamps_.clear();
   stamp_start_.clear();
   stamp_start_.push_back(0);
@@ -38,7 +39,7 @@ void Dynamics::build_matrix() {
     for (int i = 0; i < c.rows; ++i) {
       for (int j = 0; j < c.columns; ++j) {
         const int dof = system_.dof()[at(c.dofs + j)];
-        if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_dropped(c.row + i)) continue;
+        if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_left_out(c.row + i)) continue;
         const int row = n + c.row + i;
         const int lower = pattern.add(row, dof);
         stamps_.push_back({c.block + i * c.columns + j, lower, pattern.add(dof, row)});
@@ -50,6 +51,9 @@ void Dynamics::build_matrix() {
   matrix_ = pattern.compile(slot);
   for (int i = 0; i < n; ++i) matrix_.value[at(slot[at(i)])] = system_.mass()[at(i)];
   for (std::size_t i = at(n); i < diagonal; ++i) matrix_.value[at(slot[i])] = 1.0;
+  hold_diagonal_.assign(slot.begin() + static_cast<std::ptrdiff_t>(diagonal),
+                        slot.begin() + static_cast<std::ptrdiff_t>(diagonal) +
+                            static_cast<std::ptrdiff_t>(system_.holds().size()));
   for (Stamp& s : stamps_) {
     s.lower = slot[at(s.lower)];
     s.upper = slot[at(s.upper)];
@@ -57,8 +61,8 @@ void Dynamics::build_matrix() {
 }
 
 void Dynamics::leave_out(const std::vector<int>& rows) {
-  if (rows == system_.dropped_rows()) return;
-  system_.drop_rows(rows);
+  if (rows == system_.left_out_rows()) return;
+  system_.leave_out(rows);
   retired_ = counters();
   build_matrix();
   lu_.emplace(matrix_);
@@ -89,12 +93,15 @@ void Dynamics::stamp(std::size_t constraint) {
 }
 
 bool Dynamics::same_as_factorised(double t, const double* q) const {
-  return factorised_ && t == t_factorised_ &&
+  return factorised_ && t == t_factorised_ && version_factorised_ == system_.hold_version() &&
          std::memcmp(q, q_factorised_.data(), sizeof(double) * q_factorised_.size()) == 0;
 }
 
 bool Dynamics::factorise_at(double t, const double* q) {
+  for (std::size_t i = 0; i < hold_diagonal_.size(); ++i)
+    matrix_.value[at(hold_diagonal_[i])] = system_.is_dropped(system_.holds()[i].row) ? 1.0 : 0.0;
   factorised_ = lu_->factorise(matrix_);
+  version_factorised_ = system_.hold_version();
   t_factorised_ = t;
   std::copy_n(q, q_factorised_.size(), q_factorised_.begin());
   return factorised_;
@@ -206,14 +213,14 @@ bool Dynamics::project_positions(double t, double* q, Correction how) {
   return false;
 }
 
-bool Dynamics::project_velocities(double t, const double* q, double* v) {
+bool Dynamics::project_velocities(double t, const double* q, double* v, Rows which) {
   system_.set_motion(t, q, v);
   if (!same_as_factorised(t, q)) {
     system_.calc_position_level(phi_.data());
     for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
     if (!factorise_at(t, q)) return false;
   }
-  return improve_velocity(v);
+  return improve_velocity(v, which);
 }
 
 bool Dynamics::project(double t, double* q, double* v, Correction how) {
@@ -230,12 +237,13 @@ bool Dynamics::project(double t, double* q, double* v, Correction how) {
 }
 
 // At the motion set, with the factors there are.
-bool Dynamics::improve_velocity(double* v) {
+bool Dynamics::improve_velocity(double* v, Rows which) {
   const int n = system_.dofs();
   system_.calc_velocity_residual(residual_.data());
   std::fill_n(b_.begin(), n, 0.0);
   for (int i = 0; i < system_.rows(); ++i)
     b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -residual_[at(i)];
+  if (which == Rows::of_positions) std::fill(b_.begin() + n + system_.joint_rows(), b_.end(), 0.0);
   lu_->solve(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
@@ -253,7 +261,7 @@ bool Dynamics::project(State& state) {
 // Where the rank falls short, what is left of the equations still has a solution.
 bool Dynamics::project_singular(State& state) {
   if (!system_.not_finite().empty() || !state.q.allFinite() || !state.v.allFinite()) return false;
-  const std::vector<int> left_out = system_.dropped_rows();
+  const std::vector<int> left_out = system_.left_out_rows();
   LeastChange nearest(system_, metric_of_masses(system_), {}, dropped_marks());
   factorised_ = false;  // the blocks of G are no longer those of the factors
   if (!nearest.solve_positions(state.t, state.q.data())) return false;

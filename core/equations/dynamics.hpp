@@ -53,6 +53,9 @@ enum class Correction {
   exact,   ///< until nothing is gained any more
 };
 
+/// Which rows a projection of velocities corrects; the others keep their rate.
+enum class Rows { all, of_positions };
+
 class Dynamics {
  public:
   explicit Dynamics(const Model& model);
@@ -82,10 +85,18 @@ class Dynamics {
   /// The same for a State: fills a and lambda.
   bool calc_accelerations(State& state);
 
+  /// All event functions [events] at a motion, where they need them with the forces of friction that
+  /// holds. False if these cannot be computed.
+  bool calc_events(const Instant& at, double* g);
+  /// Lets the system know what friction at rest bears, after calc_accelerations() gave `lambda` [rows].
+  /// Where rows of others carry it, all share so that the greatest use of a limit is as small as may be,
+  /// in the sense of least squares.
+  void share_hold_forces(const double* lambda);
+
   /// Moves q to the nearest position on the constraints. False: no convergence (see worst_row()).
   bool project_positions(double t, double* q, Correction how = Correction::coarse);
   /// Moves v to the nearest velocity allowed at q, which must be projected already.
-  bool project_velocities(double t, const double* q, double* v);
+  bool project_velocities(double t, const double* q, double* v, Rows which = Rows::all);
   /// Both.
   bool project(double t, double* q, double* v, Correction how = Correction::coarse);
   /// Both, and accelerations and multipliers. At a singular position accelerations are a solution
@@ -117,6 +128,7 @@ class Dynamics {
   /// [kg] 1/(d A d^T), d [columns] in the local coordinates of a force element, with the
   /// factorisation of the last calc_accelerations.
   double effective_mass(const ForceSlot& slot, const double* direction);
+  double mobility(const ForceSlot& slot, const double* direction, double& alone);
   /// [1/kg or 1/(kg m^2)] The acceleration of a coordinate for a unit of force on it; 0 where the
   /// constraints hold it. With the same factorisation.
   double mobility(int dof);
@@ -150,7 +162,7 @@ class Dynamics {
   void stamp(std::size_t constraint);
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
-  bool improve_velocity(double* v);
+  bool improve_velocity(double* v, Rows which = Rows::all);
   bool same_as_factorised(double t, const double* q) const;
   Violation largest_of(const std::vector<double>& residual) const;
   Outcome assemble_from_afar(State& state);
@@ -158,6 +170,7 @@ class Dynamics {
   Outcome finish_assembly(State& state);
   Outcome check_left_out(const State& state, const RankAnalysis& analysis);
   bool project_singular(State& state);
+  void share_with_carried();
   Outcome explain_positions(const class LeastChange& failed) const;
   double position_tolerance(const double* q) const;
   std::vector<char> dropped_marks() const;  // [rows]
@@ -175,6 +188,11 @@ class Dynamics {
   std::vector<double> q_factorised_;
   double t_factorised_ = 0.0;
   bool factorised_ = false;
+  std::vector<int> hold_diagonal_;  // slots of the rows of friction that may hold
+  long version_factorised_ = 0;     // System::hold_version()
+  Eigen::VectorXd a_there_, lambda_there_;  // of looks at friction that holds
+  std::vector<double> hold_forces_;
+  std::vector<std::size_t> held_, carried_;
   Redundancy redundancy_;
   std::vector<double> length_metric_;    // for independence()
   std::optional<ScaledSaddle> lengths_;  // made when it is asked for

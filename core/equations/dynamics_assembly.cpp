@@ -140,15 +140,15 @@ Outcome Dynamics::settle_redundancy(State& state) {
 }
 
 std::string Dynamics::contradiction(double t, const double* q, double bound) {
-  if (system_.dropped_rows().empty()) return {};
+  if (system_.left_out_rows().empty()) return {};
   system_.set_motion(t, q, zero_.data());
   // Without G, so that the factors stay those of the blocks.
   for (const ConstraintSlot& c : system_.constraints()) {
     bool left_out = false;
-    for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_dropped(i);
+    for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_left_out(i);
     if (left_out) c.element->evaluate(system_.motion(), {.phi = phi_.data() + c.row});
   }
-  for (const int row : system_.dropped_rows()) {
+  for (const int row : system_.left_out_rows()) {
     const bool is_length = system_.measure(row) == Measure::length;
     const double residual = phi_[at(row)];
     if (std::abs(residual) <= bound * (is_length ? system_.scales().length : 1.0)) continue;

@@ -25,6 +25,9 @@ double Dynamics::independence(double t, const double* q, int iterations) {
     iterations = std::max(iterations, 6);
   }
   if (!lengths_->factorise(0.0)) return 0.0;
+  const auto counts = [&](int row) {
+    return !system_.is_left_out(row) && !system_.is_of_velocity_level(row);
+  };
   double eigenvalue = 0.0;
   for (int round = 0; round < iterations; ++round) {
     double before = 0.0, after = 0.0;
@@ -32,13 +35,13 @@ double Dynamics::independence(double t, const double* q, int iterations) {
     for (int i = 0; i < rows; ++i) {
       // A little of everything, or a direction the last one has no part in would stay unseen.
       const double w =
-          system_.is_dropped(i) ? 0.0 : weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i);
+          counts(i) ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
       b_[at(n + i)] = w;
       before += w * w;
     }
     lengths_->solve(b_.data());
     for (int i = 0; i < rows; ++i) {
-      weakest_[at(i)] = system_.is_dropped(i) ? 0.0 : b_[at(n + i)];
+      weakest_[at(i)] = counts(i) ? b_[at(n + i)] : 0.0;
       after += weakest_[at(i)] * weakest_[at(i)];
     }
     if (!(after > 0.0) || !std::isfinite(after)) return after == 0.0 ? 1.0 : 0.0;
@@ -56,25 +59,34 @@ double Dynamics::independence(double t, const double* q, int iterations) {
 
 std::vector<char> Dynamics::dropped_marks() const {
   std::vector<char> marks(at(system_.rows()), 0);
-  for (const int row : system_.dropped_rows()) marks[at(row)] = 1;
+  for (const int row : system_.left_out_rows()) marks[at(row)] = 1;
   return marks;
 }
 
-double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) {
+/// [1/kg] The acceleration along a direction for a unit of force along it; `alone` [1/kg]: of the
+/// bodies without constraints.
+double Dynamics::mobility(const ForceSlot& slot, const double* direction, double& alone) {
   std::fill(b_.begin(), b_.end(), 0.0);
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) b_[at(dof)] += direction[j];
   lu_->solve(b_.data());
-  double mobility = 0.0, terms = 0.0;
+  double mobility = 0.0;
+  alone = 0.0;
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) {
       mobility += direction[j] * b_[at(dof)];
       if (const double mass = system_.mass()[at(dof)]; mass > 0.0)
-        terms += direction[j] * direction[j] / mass;
+        alone += direction[j] * direction[j] / mass;
     }
+  return mobility;
+}
+
+double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) {
+  double alone = 0.0;
+  const double mobile = mobility(slot, direction, alone);
   // What drivers leave of the mobility of the bodies alone may be rounding.
-  return mobility > 64.0 * machine_epsilon * terms ? 1.0 / mobility
-                                                   : std::numeric_limits<double>::infinity();
+  return mobile > 64.0 * machine_epsilon * alone ? 1.0 / mobile
+                                                 : std::numeric_limits<double>::infinity();
 }
 
 double Dynamics::mobility(int dof) {

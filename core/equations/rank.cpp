@@ -24,7 +24,7 @@ Matrix scaled_transpose(const System& system, const std::vector<char>& ignored,
   const double length = system.scales().length;
   norm.assign(at(system.rows()), 0.0);
   std::vector<Eigen::Triplet<double>> entries;
-  for (const ConstraintSlot& c : system.constraints()) {
+  for (const ConstraintSlot& c : system.joints()) {
     for (int i = 0; i < c.rows; ++i) {
       if (!ignored.empty() && ignored[at(c.row + i)] != 0) continue;
       const std::size_t first = entries.size();
@@ -97,6 +97,7 @@ RankAnalysis analyse_rank(const System& system, const std::vector<char>& ignored
   int column = 0;
   for (Eigen::Index i = analysis.rank; i < transpose.cols(); ++i) {
     const int row = qr.column(i);
+    if (system.is_of_velocity_level(row)) continue;
     if (!ignored.empty() && ignored[at(row)] != 0) continue;
     analysis.dependent.push_back(row);
     Eigen::VectorXd w = qr.null_vector(i - analysis.rank);

@@ -39,7 +39,7 @@ void mark_doubts(const System& system, const RankAnalysis& analysis,
       u[at(static_cast<int>(it.row()))] = it.value();
     std::vector<Reaction> reactions;
     double largest = 0.0;
-    for (std::size_t i = 0; i < system.constraints().size(); ++i) {
+    for (std::size_t i = 0; i < system.joints().size(); ++i) {
       const Reaction r = system.reaction(i, u.data());
       reactions.push_back(r);
       largest = std::max({largest, r.force.norm(), std::abs(r.moment) / length});
@@ -81,7 +81,7 @@ std::vector<std::string> column_names(const System& system,
                                       const std::vector<ReactionDoubt>& doubts) {
   std::vector<std::string> names;
   for (const ReactionDoubt& d : doubts) {
-    const std::string& joint = system.constraints()[d.constraint].element->name();
+    const std::string& joint = system.joints()[d.constraint].element->name();
     if (d.fx) names.push_back(joint + ".fx_N");
     if (d.fy) names.push_back(joint + ".fy_N");
     if (d.moment) names.push_back(joint + ".moment_N_m");
@@ -107,7 +107,7 @@ Redundancy analyse_redundancy(System& system, const State& state) {
   result.rank = result.here.rank;
   result.redundant = result.here.dependent;
   if (result.redundant.empty()) return result;
-  std::vector<ReactionDoubt> marks(system.constraints().size());
+  std::vector<ReactionDoubt> marks(system.joints().size());
   for (std::size_t i = 0; i < marks.size(); ++i) marks[i].constraint = i;
   std::vector<ReactionDoubt> marks_here = marks;
   mark_doubts(system, result.here, marks_here);

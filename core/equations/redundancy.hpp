@@ -18,7 +18,7 @@ namespace yoke {
 /// Components of a joint's reaction that do not follow from the motion, because another set of
 /// reactions moves the mechanism in the same way (Wojtyra, Multibody System Dynamics 14, 2005).
 struct ReactionDoubt {
-  std::size_t constraint = 0;  // index into System::constraints()
+  std::size_t constraint = 0;  // index into System::joints()
   bool fx = false, fy = false, moment = false;
 };
 

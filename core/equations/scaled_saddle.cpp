@@ -19,6 +19,7 @@ ScaledSaddle::ScaledSaddle(const System& system, std::vector<double> weights,
   for (double& r : root_) r = std::sqrt(r);
   held_.resize(at(n), 0);
   ignored_.resize(at(rows), 0);
+  for (const ConstraintSlot& c : system.holds()) ignored_[at(c.row)] = 1;
   PatternBuilder pattern(n + rows);
   for (int i = 0; i < n + rows; ++i) diagonal_.push_back(pattern.add(i, i));
   for (const ConstraintSlot& c : system.constraints()) {

@@ -14,6 +14,7 @@ System::System(const Model& model) : model_(model) {
   lay_out_bodies();
   lay_out_constraints();
   lay_out_forces();
+  lay_out_holds();
   natural_length_ = scales_.length = length_of_layout();
   rounding_ = rounding_of_coordinates();
 }
@@ -53,14 +54,95 @@ void System::lay_out_constraints() {
     constraints_.push_back(slot);
   }
   G_.assign(at(block), 0.0);
-  phi_t_.assign(at(rows_), 0.0);
-  dropped_.assign(at(rows_), 0);
+  joint_count_ = constraints_.size();
+  joint_rows_ = rows_;
 }
 
-void System::drop_rows(const std::vector<int>& rows) {
-  std::ranges::fill(dropped_, 0);
-  for (const int row : rows) dropped_[at(row)] = 1;
-  dropped_rows_ = rows;
+void System::lay_out_holds() {
+  std::size_t block = G_.size();
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    ForceSlot& f = forces_[i];
+    if (!f.element->may_hold()) continue;
+    held_rows_.push_back(
+        std::make_unique<HeldRow>(*this, i, *f.element, f.element->bodies(model_)));
+    f.row = rows_++;
+    constraints_.push_back({.element = held_rows_.back().get(),
+                            .row = f.row,
+                            .rows = 1,
+                            .columns = f.columns,
+                            .dofs = f.dofs,
+                            .block = static_cast<int>(block),
+                            .hold = static_cast<int>(i)});
+    measure_.push_back(Measure::length);
+    block += at(f.columns);
+  }
+  G_.assign(block, 0.0);
+  phi_t_.assign(at(rows_), 0.0);
+  left_out_.assign(at(rows_), 0);
+  dropped_.assign(at(rows_), 0);
+  dropped_rows_.reserve(at(rows_));
+  holding_.assign(held_rows_.size(), 0);
+  hold_forces_.assign(held_rows_.size(), 0.0);
+  collect_dropped();
+}
+
+void System::leave_out(const std::vector<int>& rows) {
+  std::ranges::fill(left_out_, 0);
+  for (const int row : rows) left_out_[at(row)] = 1;
+  left_out_rows_ = rows;
+  collect_dropped();
+}
+
+void System::collect_dropped() {
+  dropped_ = left_out_;
+  dropped_rows_.assign(left_out_rows_.begin(), left_out_rows_.end());
+  for (std::size_t i = 0; i < holding_.size(); ++i) {
+    if (holding_[i] != 0) continue;
+    const int row = joint_rows_ + static_cast<int>(i);
+    dropped_[at(row)] = 1;
+    dropped_rows_.push_back(row);
+  }
+}
+
+void System::note_holds() {
+  bool changed = false;
+  any_grip_ = false;
+  for (std::size_t i = 0; i < holding_.size(); ++i) {
+    const Grip grip = grip_memory(holds()[i]).grip;
+    const char holding = grip == Grip::held ? 1 : 0;
+    any_grip_ = any_grip_ || grip == Grip::held || grip == Grip::carried;
+    changed = changed || holding != holding_[i];
+    holding_[i] = holding;
+  }
+  if (!changed) return;
+  ++hold_version_;
+  hold_forces_known_ = false;
+  collect_dropped();
+}
+
+void System::set_hold_forces(const double* forces) {
+  std::copy_n(forces, hold_forces_.size(), hold_forces_.begin());
+  hold_forces_known_ = true;
+}
+
+void HeldRow::evaluate(const Motion& motion, const ConstraintRequest& out) const {
+  if (out.phi != nullptr) *out.phi = 0.0;  // no position holds it
+  if (out.phi_t != nullptr) *out.phi_t = 0.0;
+  if (out.gamma != nullptr) *out.gamma = 0.0;
+  const ForceSlot& slot = system_.forces()[force_];
+  if (system_.is_dropped(slot.row)) {
+    if (out.G != nullptr) std::fill_n(out.G, columns(), 0.0);
+    if (out.H != nullptr) std::fill_n(out.H, columns(), 0.0);
+    return;
+  }
+  const ForceInput bound = system_.force_input(slot);
+  element_.calc_hold({.motion = motion,
+                      .z = bound.z,
+                      .parameters = bound.parameters,
+                      .contact = bound.contact,
+                      .scales = bound.scales,
+                      .rounding = bound.rounding},
+                     out);
 }
 
 void System::lay_out_forces() {
@@ -178,10 +260,12 @@ void System::bind(const State& state) {
   z_ = state.z.data();
   parameters_ = state.parameters.data();
   contacts_ = state.contacts.data();
+  note_holds();
 }
 
 void System::set_motion(double t, const double* q, const double* v) {
   motion_.t = t;
+  hold_forces_known_ = false;
   for (std::size_t i = 1; i < bodies_.size(); ++i, q += 3, v += 3) {
     BodyMotion& b = bodies_[i];
     b.x = q[0];
@@ -204,7 +288,10 @@ ForceInput System::force_input(const ForceSlot& slot) const {
           .parameters = parameters_ + slot.parameters,
           .contact = contacts_ + slot.contacts,
           .scales = scales_,
-          .rounding = rounding_};
+          .rounding = rounding_,
+          .hold = slot.row >= 0 && hold_forces_known_
+                      ? hold_forces_.data() + (slot.row - joint_rows_)
+                      : nullptr};
 }
 
 void System::calc_position_level(double* phi) {
@@ -230,7 +317,7 @@ double System::norm(const double* residual, int* worst) const {
 void System::calc_velocity_residual(double* residual) {
   for (const ConstraintSlot& c : constraints_) {
     double* out = residual + c.row;
-    if (c.quadrature >= 0) {
+    if (c.quadrature >= 0 || c.hold >= 0) {
       c.element->evaluate(motion_, {.phi_t = out});
     } else {
       std::fill_n(out, c.rows, 0.0);
@@ -318,13 +405,18 @@ void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {
 
 void System::add_driver_power(const double* lambda, double* quadrature_rates) {
   for (const ConstraintSlot& c : constraints_) {
-    if (c.quadrature < 0) continue;
+    const bool drives = c.quadrature >= 0;
+    const int quadrature = drives || c.hold < 0 ? c.quadrature : forces_[at(c.hold)].supplied;
+    if (quadrature < 0 || (c.hold >= 0 && is_dropped(c.row))) continue;
     // Force on the mechanism -G^T lambda, so its power is -lambda^T G v = lambda^T Phi_t.
     double* phi_t = phi_t_.data() + c.row;
     c.element->evaluate(motion_, {.phi_t = phi_t});
     double power = 0.0;
     for (int i = 0; i < c.rows; ++i) power += lambda[c.row + i] * phi_t[i];
-    quadrature_rates[c.quadrature] = power;
+    if (drives)
+      quadrature_rates[quadrature] = power;
+    else
+      quadrature_rates[quadrature] += power;  // a belt works on what sticks to it
   }
 }
 

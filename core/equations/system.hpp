@@ -7,10 +7,12 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <yoke/core/equations/held_row.hpp>
 #include <yoke/core/model.hpp>
 
 namespace yoke {
@@ -31,6 +33,7 @@ struct ConstraintSlot {
   int dofs = 0;         // offset into System::dof: global coordinate of each local column
   int block = 0;        // offset of its [rows x 3k] block in G (and H)
   int quadrature = -1;  // work done by a driver
+  int hold = -1;        // of friction that may hold: its force element, index into System::forces()
 };
 
 /// One force element and where its data live.
@@ -46,6 +49,7 @@ struct ForceSlot {
   int events = 0;       // offset into the event functions
   int dissipated = -1;  // quadrature indices
   int supplied = -1;
+  int row = -1;  // constraint row of friction that may hold
 };
 
 /// Kinetic, potential, stored energy [J]; the quadratures of the State complete the ledger.
@@ -63,11 +67,17 @@ class System {
 
   const Model& model() const { return model_; }
   int dofs() const { return dofs_; }      // 3 nb
-  int rows() const { return rows_; }      // constraint equations
+  int rows() const { return rows_; }      // constraint equations, and those of friction that may hold
   int states() const { return states_; }  // element states z
   int quadratures() const { return quadratures_; }
   int events() const { return events_; }
+  /// Joints, and after them friction that may hold.
   std::span<const ConstraintSlot> constraints() const { return constraints_; }
+  std::span<const ConstraintSlot> joints() const { return constraints().first(joint_count_); }
+  /// Friction that may hold; rows from joint_rows() on.
+  std::span<const ConstraintSlot> holds() const { return constraints().subspan(joint_count_); }
+  int joint_rows() const { return joint_rows_; }
+  bool is_of_velocity_level(int row) const { return row >= joint_rows_; }
   std::span<const ForceSlot> forces() const { return forces_; }
   /// Global coordinate (0 .. 3 nb - 1) of a local column; -1 for the ground.
   std::span<const int> dof() const { return dof_; }
@@ -82,15 +92,28 @@ class System {
   Measure measure(int row) const { return measure_[static_cast<std::size_t>(row)]; }
   /// Dependent rows that are left out of every factorised system, as assembly found them: matrices
   /// put a 1 on their diagonal, their multiplier is zero. Matrices built before do not know.
-  void drop_rows(const std::vector<int>& rows);
+  void leave_out(const std::vector<int>& rows);
+  bool is_left_out(int row) const { return left_out_[static_cast<std::size_t>(row)] != 0; }
+  const std::vector<int>& left_out_rows() const { return left_out_rows_; }
+  /// Those, and rows of friction that does not hold now: their multiplier is zero too.
   bool is_dropped(int row) const { return dropped_[static_cast<std::size_t>(row)] != 0; }
   const std::vector<int>& dropped_rows() const { return dropped_rows_; }
+  /// Is any friction at rest, with or without a row of its own? As bind() found it.
+  bool any_grip() const { return any_grip_; }
+  const ContactMemory& grip_memory(const ConstraintSlot& hold) const {
+    return contacts_[forces_[static_cast<std::size_t>(hold.hold)].contacts];
+  }
+  /// Changes with the rows that hold.
+  long hold_version() const { return hold_version_; }
+  /// What friction at rest bears [holds()], at the motion set last; forgotten when another is set.
+  void set_hold_forces(const double* forces);
   /// Names of the quadratures, "motor.work" or "slot.dissipated".
   std::vector<std::string> quadrature_names() const;
   /// For each quadrature: work of a load or driver (true) or dissipated energy.
   std::vector<bool> quadratures_of_work() const;
 
-  /// Binds what elements read besides the motion. The pointers must outlive the evaluations.
+  /// Binds what elements read besides the motion, and notes which friction holds. The pointers must
+  /// outlive the evaluations.
   void bind(const State& state);
   /// Sets time, positions [dofs] and velocities [dofs].
   void set_motion(double t, const double* q, const double* v);
@@ -147,6 +170,9 @@ class System {
   void lay_out_bodies();
   void lay_out_constraints();
   void lay_out_forces();
+  void lay_out_holds();
+  void note_holds();
+  void collect_dropped();
   int add_dofs(const std::vector<BodyId>& bodies);
 
   const Model& model_;
@@ -156,8 +182,15 @@ class System {
   std::vector<int> dof_;
   std::vector<double> mass_;
   std::vector<Measure> measure_;
-  std::vector<char> dropped_;  // [rows]
-  std::vector<int> dropped_rows_;
+  std::size_t joint_count_ = 0;
+  int joint_rows_ = 0;
+  std::vector<std::unique_ptr<const HeldRow>> held_rows_;
+  std::vector<char> left_out_, dropped_;  // [rows]
+  std::vector<int> left_out_rows_, dropped_rows_;
+  std::vector<char> holding_;       // [holds]
+  std::vector<double> hold_forces_;  // [holds]
+  bool hold_forces_known_ = false, any_grip_ = false;
+  long hold_version_ = 0;
   std::vector<BodyMotion> bodies_;
   Motion motion_;
   std::vector<double> G_;

@@ -27,11 +27,10 @@ EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   passed_.reserve(count);
 }
 
+// What cannot be computed is not finite, and evaluate() says so.
 void EventGuard::calc(double t, const double* q, const double* v, const double* z, double* g) {
-  System& system = dynamics_.system();
-  system.set_motion(t, q, v);
-  system.set_states(z);
-  system.calc_events(g);
+  if (!dynamics_.calc_events({.t = t, .q = q, .v = v, .z = z}, g))
+    std::fill_n(g, last_.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
 void EventGuard::start(double t, const double* q, const double* v, const double* z) {

@@ -19,7 +19,7 @@ constexpr double first_over_delta = 100.0;
 constexpr double noise = 32.0;
 constexpr double largest_turn = 0.25;  // [rad] of a body in a step, where there are events
 
-enum Factor { plus, minus, mass_factor, minus_velocity, state_factor };
+enum Factor { plus, minus, mass_factor, minus_velocity, state_factor, rate_factor };
 
 /// The second divided difference of f over three times h apart (h, k: the later, the earlier).
 double second_difference(double before, double now, double after, double k, double h) {
@@ -50,7 +50,9 @@ MatrixLayout GeneralisedAlpha::layout(const System& system) {
                          {Block::states, z, z, state_factor},
                          {Block::z_z, z, z, minus},
                          {Block::G, lambda, q, plus},
-                         {Block::dropped, lambda, lambda, plus}},
+                         {Block::H_hold, lambda, q, rate_factor},
+                         {Block::dropped, lambda, lambda, plus},
+                         {Block::open, lambda, lambda, plus}},
           .rows = {{Unit::force, q, 2}, {Unit::state, z, 1}, {Unit::equation, lambda}},
           .columns = {{Unit::coordinate, q}, {Unit::state, z}, {Unit::multiplier, lambda, 2}}};
 }
@@ -93,7 +95,7 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
                     &v_old_, &a_old_, &v_, &a_, &rate_, &dense_u_, &dense_v_})
     x->assign(at(n_), 0.0);
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
-  for (Vector* x : {&lambda_, &lambda_rate_}) x->assign(at(rows_), 0.0);
+  for (Vector* x : {&lambda_, &lambda_rate_, &rates_}) x->assign(at(rows_), 0.0);
   for (Vector* x : {&second_, &second_old_, &dense_energy_}) x->assign(at(quadratures_), 0.0);
   for (Vector* x : {&g_from_, &g_to_, &g_low_, &g_high_, &g_}) x->assign(at(guard_.count()), 0.0);
   x_.assign(at(matrix_.size()), 0.0);
@@ -250,7 +252,7 @@ void GeneralisedAlpha::calc_normal_jerk() {
   if (size == 0.0) return;
   const double s = std::max(speed, 1.0) / size;  // both of one size: least rounding
   for (std::size_t i = 0; i < v_.size(); ++i) v_old_[i] = v_[i] = end_.v[i] + s * jerk_[i];
-  if (!dynamics_.project_velocities(end_.t, absolute(end_.u), v_.data())) return;
+  if (!dynamics_.project_velocities(end_.t, absolute(end_.u), v_.data(), Rows::of_positions)) return;
   for (std::size_t i = 0; i < v_.size(); ++i) jerk_normal_[i] = (v_old_[i] - v_[i]) / s;
 }
 

@@ -32,6 +32,8 @@
 //   b' = dv1'/dq1 = (1 - alpha_m)/((1 - alpha_f) beta h^2),   g' = dv1/dq1 = gamma/(beta h)
 //   c' = dz1'/dz1 = (1 - alpha_m)/((1 - alpha_f) gamma h)
 //
+// Friction that holds has the row beta h/gamma (G v1 + Phi_t) = 0 in place of Phi, whose derivative is
+// G + beta h/gamma H; such rows need no shift of velocities. The matrix is
 // scaled by time in units of b'^(-1/2), i.e. equations and multipliers by beta h^2 as proposed by
 // C. Bottasso, O. Bauchau, A. Cardona (SIAM J. Sci. Comput. 29 (2007) 397-414): the condition of
 // the matrix does not depend on h.
@@ -96,7 +98,7 @@ class GeneralisedAlpha final : public Formulation {
   bool advance(double t_new);
   void predict(double h);
   bool solve_stage(double h, double t);
-  bool calc_residual(double t);
+  bool calc_residual(double h, double t);
   void calc_matrix(double h, double t);
   double correct(double h);
   bool finish(double t);
@@ -138,6 +140,7 @@ class GeneralisedAlpha final : public Formulation {
   Vector v_old_, a_old_, w_old_;               // what the step being tried starts from
   Vector v_, a_, rate_, w_, z_rate_, lambda_;  // its iterates; positions and z are in new_
   Vector x_, force_;                           // Newton's right-hand side and correction
+  Vector rates_;                               // G v + Phi_t
   Vector second_, second_old_;                 // second divided differences of the powers
   double k_old_ = 0.0;                         // [s] length of the step before the last
   bool third_known_ = false;                   // so third differences can be formed

@@ -50,7 +50,7 @@ bool GeneralisedAlpha::solve_stage(double h, double t) {
       const double am = (1.0 - c_.alpha_m) / (1.0 - c_.alpha_f);
       if (!matrix_.factorise(std::sqrt(am / c_.beta) / h)) return false;
     }
-    if (!calc_residual(t)) return false;
+    if (!calc_residual(h, t)) return false;
     matrix_.solve(x_.data());
     const double norm = correct(h);
     if (!std::isfinite(norm)) return false;
@@ -65,7 +65,7 @@ bool GeneralisedAlpha::solve_stage(double h, double t) {
 }
 
 /// -R into x_.
-bool GeneralisedAlpha::calc_residual(double t) {
+bool GeneralisedAlpha::calc_residual(double h, double t) {
   ++counters_.evaluations;
   system_.set_motion(t, absolute(new_.u), v_.data());
   system_.set_states(new_.z.data());
@@ -80,6 +80,11 @@ bool GeneralisedAlpha::calc_residual(double t) {
   for (int i = 0; i < n_; ++i) r_q[i] = force_[at(i)] - system_.mass()[at(i)] * rate_[at(i)];
   for (int i = 0; i < nz_; ++i) r_z[i] -= z_rate_[at(i)];
   for (int i = 0; i < rows_; ++i) r_p[i] = -r_p[i];
+  if (system_.any_grip()) {
+    system_.calc_velocity_residual(rates_.data());
+    for (const ConstraintSlot& c : system_.holds())
+      r_p[c.row] = -c_.beta * h / c_.gamma * rates_[at(c.row)];
+  }
   for (const int i : system_.dropped_rows()) r_p[i] = -lambda_[at(i)];
   for (const double r : x_) sum += r;
   if (!std::isfinite(sum)) system_.blame_not_finite();
@@ -95,7 +100,7 @@ void GeneralisedAlpha::calc_matrix(double h, double t) {
                     .z = new_.z.data(),
                     .lambda = mask_.kept(lambda_.data())},
                    std::array{1.0, -1.0, am / (c_.beta * h * h), -c_.gamma / (c_.beta * h),
-                              am / (c_.gamma * h)});
+                              am / (c_.gamma * h), c_.beta * h / c_.gamma});
 }
 
 /// Adds the correction x_; returns its size in units of what is allowed. Accelerations take their

@@ -44,7 +44,7 @@ std::vector<int> assemblies_of(const System& system) {
     while (parent[at(i)] != i) i = parent[at(i)] = parent[at(parent[at(i)])];
     return i;
   };
-  for (const ConstraintSlot& c : system.constraints()) {
+  for (const ConstraintSlot& c : system.joints()) {
     int first = -1;
     for (int j = 0; j < c.columns; j += 3) {
       const int dof = system.dof()[at(c.dofs + j)];

@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 3;
+constexpr std::uint32_t format_version = 4;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -38,6 +38,7 @@ void visit_memory(C& c, Visit&& visit) {
   visit("permanent_set", c.permanent_set);
   visit("release_penetration", c.release_penetration);
   visit("past_kink", c.past_kink);
+  visit("grip", c.grip);
 }
 
 template <class S, class Visit>

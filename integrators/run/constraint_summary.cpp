@@ -9,7 +9,7 @@ namespace yoke {
 int degrees_of_freedom(const Dynamics& dynamics) {
   const Redundancy& redundancy = dynamics.redundancy();
   const System& system = dynamics.system();
-  return system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.rows());
+  return system.dofs() - (redundancy.here.rank > 0 ? redundancy.rank : system.joint_rows());
 }
 
 void note_constraints(Dynamics& dynamics, Summary& summary) {

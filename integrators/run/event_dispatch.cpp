@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include <yoke/core/equations/grips.hpp>
+
 namespace yoke {
 
 ElementEvents::ElementEvents(Dynamics& dynamics, State& state, Result& result, StopRun stop)
@@ -61,6 +63,22 @@ void ElementEvents::initialise_contacts() {
     EventContext context = context_of(slot);
     slot.element->initialise_contacts(context);
   }
+  settle_grips();
+}
+
+/// Which friction holds is a matter of all contacts together.
+void ElementEvents::settle_grips() {
+  System& system = dynamics_.system();
+  if (system.holds().empty()) return;
+  if (const Outcome outcome = yoke::settle_grips(dynamics_, state_, contacts_before_); !outcome)
+    stop_(Stop::failed, fmt::format("friction at t = {:.9g} s: {}", state_.t, outcome.why));
+  for (const ConstraintSlot& hold : system.holds()) {
+    const ForceSlot& slot = system.forces()[static_cast<std::size_t>(hold.hold)];
+    const Grip before = contacts_before_[static_cast<std::size_t>(slot.contacts)].grip;
+    if (system.grip_memory(hold).grip == before) continue;
+    EventContext context = context_of(slot);
+    slot.element->grip_changed(before, context);
+  }
 }
 
 void ElementEvents::handle(const std::vector<int>& fired) {
@@ -68,12 +86,14 @@ void ElementEvents::handle(const std::vector<int>& fired) {
   parameters_changed_ = false;
   state_.handled.clear();
   state_.handled_at = state_.t;
+  if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state_.lambda.data());
   for (const int event : fired) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
       if (event < slot.events || event >= slot.events + slot.element->events()) continue;
       handle_one(slot, event - slot.events);
     }
   }
+  if (changed()) settle_grips();
 }
 
 void ElementEvents::handle_one(const ForceSlot& slot, int event) {

@@ -30,6 +30,7 @@ class ElementEvents {
 
  private:
   EventContext context_of(const ForceSlot& slot);
+  void settle_grips();
   void handle_one(const ForceSlot& slot, int event);
 
   Dynamics& dynamics_;

@@ -21,10 +21,10 @@ constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of th
 
 }  // namespace
 
-EventLocator::EventLocator(System& system)
-    : system_(system), values_(static_cast<std::size_t>(system.events()), 0.0) {
+EventLocator::EventLocator(Dynamics& dynamics)
+    : dynamics_(dynamics), values_(static_cast<std::size_t>(dynamics.system().events()), 0.0) {
   fired_.reserve(values_.size());
-  for (const ForceSlot& f : system.forces())
+  for (const ForceSlot& f : dynamics.system().forces())
     for (int i = 0; i < f.element->events(); ++i)
       if (f.element->may_hide(i))
         watched_.push_back({.slot = f.events + i,
@@ -42,7 +42,7 @@ void EventLocator::start(const State& state) {
     looks_ = looks_ || w.active;
   }
   if (!looks_) return;
-  calc(state);
+  calc_watched(state);
   for (Watched& w : watched_) {
     w.seen.back() = values_[static_cast<std::size_t>(w.slot)];
     w.armed = w.seen.back() < 0.0;
@@ -89,10 +89,19 @@ void EventLocator::note(double t, int slot) {
   if (t == t_fired_ && t < nowhere && std::ranges::count(fired_, slot) == 0) fired_.push_back(slot);
 }
 
+/// All functions. What cannot be computed has not crossed zero: the formulation says what is wrong.
 void EventLocator::calc(const State& state) {
-  system_.set_motion(state.t, state.q.data(), state.v.data());
-  system_.set_states(state.z.data());
-  system_.calc_events(values_.data());
+  const Dynamics::Instant at{
+      .t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()};
+  if (!dynamics_.calc_events(at, values_.data())) std::ranges::fill(values_, -1.0);
+}
+
+/// Those of watched slots need no forces of friction that holds.
+void EventLocator::calc_watched(const State& state) {
+  System& system = dynamics_.system();
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  system.set_states(state.z.data());
+  system.calc_events(values_.data());
 }
 
 double EventLocator::value(Formulation& formulation, int slot, double t, State& scratch) {
@@ -106,7 +115,7 @@ void EventLocator::look_inside(Formulation& formulation, Step step, double from,
   for (Watched& w : watched_) w.seen.front() = w.seen.back();
   const auto look = [&](std::size_t i) {
     formulation.glance(i + 1 < looks.size() ? from + looks[i] * (to - from) : to, scratch);
-    calc(scratch);
+    calc_watched(scratch);
     for (Watched& w : watched_) w.seen[i] = values_[static_cast<std::size_t>(w.slot)];
   };
   for (const std::size_t i : few_looks) look(i);

@@ -24,7 +24,7 @@ class EventLocator {
  public:
   static constexpr double longest_gap = 1.0 / 8.0;
 
-  explicit EventLocator(System& system);
+  explicit EventLocator(Dynamics& dynamics);
   /// At a restart.
   void start(const State& state);
   /// [s] Instant of the first events of the step that `formulation` has just made from `from` [s],
@@ -62,9 +62,10 @@ class EventLocator {
                          State& scratch);
   double value(Formulation& formulation, int slot, double t, State& scratch);
   void calc(const State& state);
+  void calc_watched(const State& state);
   void note(double t, int slot);
 
-  System& system_;
+  Dynamics& dynamics_;
   std::vector<double> values_;
   std::vector<Watched> watched_;
   std::vector<int> fired_;

@@ -34,7 +34,7 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
   table.add_column("t", "s");
   for (std::size_t i = 1; i < system.model().bodies().size(); ++i)
     add_body_columns(table, system.model().bodies()[i]);
-  for (const ConstraintSlot& c : system.constraints()) {
+  for (const ConstraintSlot& c : system.joints()) {
     table.add_column(c.element->name() + ".fx", "N");
     table.add_column(c.element->name() + ".fy", "N");
     table.add_column(c.element->name() + ".moment", "N_m");
@@ -66,6 +66,7 @@ void Recorder::start(const State& state) {
 
 void Recorder::record(const State& state, Table& table) {
   check(state);
+  if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state.lambda.data());
   double* row = table.append();
   *row++ = state.t;
   row = record_bodies(state, row);
@@ -85,7 +86,7 @@ double* Recorder::record_bodies(const State& state, double* row) const {
 }
 
 double* Recorder::record_reactions(const State& state, double* row) const {
-  for (std::size_t i = 0; i < dynamics_.system().constraints().size(); ++i) {
+  for (std::size_t i = 0; i < dynamics_.system().joints().size(); ++i) {
     const Reaction reaction = dynamics_.reaction(i, state.lambda.data());
     *row++ = reaction.force.x();
     *row++ = reaction.force.y();

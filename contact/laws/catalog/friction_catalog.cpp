@@ -9,6 +9,7 @@
 #include <yoke/contact/laws/friction/ambrosio.hpp>
 #include <yoke/contact/laws/friction/bengisu_akay.hpp>
 #include <yoke/contact/laws/friction/brown_mcphee.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/dahl.hpp>
 #include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
@@ -62,6 +63,11 @@ constexpr const char* creeps = "what should stick creeps";
 
 const std::vector<FrictionEntry>& friction_entries() {
   static const std::vector<FrictionEntry> table = {
+      friction_entry<Coulomb>(
+          "Coulomb 1785",
+          "T = mu N against the sliding; at rest what is needed to stay there, up to mu_static N",
+          "Coulomb, C.A. Theorie des machines simples, 1785",
+          "at rest it is a constraint, not a force: nothing creeps"),
       friction_entry<RegularisedCoulomb>("Coulomb, rounded off", "T = mu N tanh(v/threshold)",
                                          "Andersson, S. et al. Tribol. Int. 2007, 40, 580-587",
                                          creeps),

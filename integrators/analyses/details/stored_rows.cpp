@@ -49,7 +49,7 @@ StoredRows::StoredRows(Dynamics& dynamics, const Table& samples)
           i < given.size() ? given[i] : "missing", expected[i]));
   if (samples.rows() == 0) throw ModelError("stored rows: there are none");
   std::size_t column =
-      1 + static_cast<std::size_t>(3 * system_.dofs()) + 3 * system_.constraints().size();
+      1 + static_cast<std::size_t>(3 * system_.dofs()) + 3 * system_.joints().size();
   for (const ForceSlot& f : system_.forces()) {
     if (f.element->contacts() > 0)
       throw ModelError(fmt::format(

@@ -41,11 +41,13 @@ MatrixLayout GglEquations::layout() const {
                          {Block::z_v, r_z, v(), minus},
                          {Block::states, r_z, z(), shift},
                          {Block::z_z, r_z, z(), minus},
-                         {Block::G, r_p, q, plus},
+                         {Block::G_position, r_p, q, plus},
                          {Block::dropped, r_p, lambda(), plus},
+                         {Block::hold, r_p, mu(), plus},
                          {Block::H, r_w, q, plus},
                          {Block::G, r_w, v(), plus},
-                         {Block::dropped, r_w, mu(), plus}},
+                         {Block::dropped, r_w, mu(), plus},
+                         {Block::open, r_w, lambda(), plus}},
           .rows = {{Unit::force, r_q, 1},
                    {Unit::force, r_v, 2},
                    {Unit::state, r_z, 1},
@@ -74,9 +76,13 @@ bool GglEquations::calc_residual(double t, const double* y, const double* y_dot,
   double* stabilisation = stabilisation_.data();
   std::ranges::fill(stabilisation_, 0.0);
   system_.subtract_constraint_forces(mu_.kept(y + mu()), stabilisation);
-  for (const int i : system_.dropped_rows()) {
+  for (const int i : system_.left_out_rows()) {
     residual[lambda() + i] = y[lambda() + i];
     residual[mu() + i] = y[mu() + i];
+  }
+  for (const ConstraintSlot& c : system_.holds()) {
+    residual[lambda() + c.row] = y[mu() + c.row];
+    if (system_.is_dropped(c.row)) residual[mu() + c.row] = y[lambda() + c.row];
   }
   double sum = 0.0;
   for (int i = 0; i < n_; ++i) {

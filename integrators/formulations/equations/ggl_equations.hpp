@@ -18,7 +18,9 @@
 //   R_p  G                   .              .           .       .
 //   R_w  H                   G              .           .       .
 //
-// An equation that the system has dropped is replaced by lambda_i = 0, mu_i = 0.
+// An equation that the system has left out is replaced by lambda_i = 0, mu_i = 0. Friction that holds
+// has a row of velocity level only: R_w with its lambda_i, and mu_i = 0 for R_p; while it does not hold,
+// lambda_i = 0 for R_w.
 #pragma once
 
 #include <vector>

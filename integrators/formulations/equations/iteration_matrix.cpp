@@ -11,7 +11,8 @@ namespace yoke {
 
 namespace {
 
-bool is_diagonal(Block b) { return b <= Block::dropped; }
+bool is_diagonal(Block b) { return b <= Block::hold; }
+bool is_of_holds(Block b) { return b == Block::open || b == Block::hold; }
 bool is_of_constraint(Block b) { return b >= Block::G && b <= Block::K_mu; }
 bool is_of_force(Block b) { return b >= Block::Q_q; }
 
@@ -70,7 +71,9 @@ void IterationMatrix::place_diagonal(PatternBuilder& pattern, const Placement& p
   Diagonal d{p.block, p.row, p.column, p.factor, {}};
   const auto request = [&](int i) { d.slots.push_back(pattern.add(p.row + i, p.column + i)); };
   if (p.block == Block::dropped) {
-    for (const int i : system_.dropped_rows()) request(i);
+    for (const int i : system_.left_out_rows()) request(i);
+  } else if (is_of_holds(p.block)) {
+    for (const ConstraintSlot& c : system_.holds()) request(c.row);
   } else {
     const int count = p.block == Block::states ? system_.states() : system_.dofs();
     for (int i = 0; i < count; ++i) request(i);
@@ -90,9 +93,11 @@ void IterationMatrix::place_constraint(PatternBuilder& pattern, const Constraint
               {j * c.columns + l, pattern.add(p.row + dof(j), p.column + dof(l)), p.factor});
     return;
   }
+  if (p.block == Block::G_position && c.hold >= 0) return;
+  if (p.block == Block::H_hold && c.hold < 0) return;
   for (int i = 0; i < c.rows; ++i) {
     const int equation = c.row + i;
-    if (system_.is_dropped(equation)) continue;
+    if (system_.is_left_out(equation)) continue;
     for (int j = 0; j < c.columns; ++j) {
       if (dof(j) < 0 || !c.element->in_pattern(i, j)) continue;
       const int request = p.block == Block::G_T ? pattern.add(p.row + dof(j), p.column + equation)
@@ -155,8 +160,12 @@ void IterationMatrix::evaluate(const Point& at, std::span<const double> factors)
 void IterationMatrix::add_diagonals() {
   for (const Diagonal& d : diagonals_) {
     const double factor = factors_[at(d.factor)];
-    for (std::size_t i = 0; i < d.slots.size(); ++i)
-      matrix_.value[at(d.slots[i])] += d.block == Block::mass ? factor * system_.mass()[i] : factor;
+    for (std::size_t i = 0; i < d.slots.size(); ++i) {
+      double value = factor;
+      if (d.block == Block::mass) value *= system_.mass()[i];
+      if (d.block == Block::open && !system_.is_dropped(system_.holds()[i].row)) value = 0.0;
+      matrix_.value[at(d.slots[i])] += value;
+    }
   }
 }
 
@@ -174,7 +183,7 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
   const ConstraintSlot& c = system_.constraints()[i];
   const auto clear = [&] { std::fill_n(K_.begin(), c.columns * c.columns, 0.0); };
   ConstraintRequest out{.G = system_.G() + c.block};
-  if (uses(Block::H)) out.H = H_.data() + c.block;
+  if (uses(Block::H) || uses(Block::H_hold)) out.H = H_.data() + c.block;
   if (uses(Block::K_lambda)) {
     clear();
     out.K = K_.data();
@@ -182,8 +191,10 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
   }
   c.element->evaluate(system_.motion(), out);
   add(Block::G, i, system_.G());
+  add(Block::G_position, i, system_.G());
   add(Block::G_T, i, system_.G());
   add(Block::H, i, H_.data());
+  add(Block::H_hold, i, H_.data());
   add(Block::K_lambda, i, K_.data());
   if (!uses(Block::K_mu)) return;
   clear();
@@ -276,10 +287,16 @@ void IterationMatrix::calc_scaling(double rate) {
   for (const Part& part : rows_)
     for (int i = 0; i < count(part.unit); ++i)
       row_scale_[at(part.offset + i)] = 1.0 / size_of(part, i);
-  for (const Diagonal& d : diagonals_)
+  const auto alone = [&](const Diagonal& d, int i) {  // on its row
+    row_scale_[at(d.row + i)] = 1.0 / column_scale_[at(d.column + i)];
+  };
+  for (const Diagonal& d : diagonals_) {
     if (d.block == Block::dropped)
-      for (const int i : system_.dropped_rows())
-        row_scale_[at(d.row + i)] = 1.0 / column_scale_[at(d.column + i)];
+      for (const int i : system_.left_out_rows()) alone(d, i);
+    if (is_of_holds(d.block))
+      for (const ConstraintSlot& c : system_.holds())
+        if (d.block == Block::hold || system_.is_dropped(c.row)) alone(d, c.row);
+  }
 }
 
 bool IterationMatrix::factorise(double rate) {

@@ -29,10 +29,14 @@ enum class Block {
   mass,         // n x n, diagonal of M
   coordinates,  // n x n, identity
   states,       // nz x nz, identity
-  dropped,      // m x m, 1 on the diagonal of dropped equations only: their multiplier is zero
+  dropped,      // m x m, 1 on the diagonal of equations left out only: their multiplier is zero
+  open,         // m x m, 1 on the diagonal of rows of friction that does not hold now
+  hold,         // m x m, 1 on the diagonal of all rows of friction that may hold
   G,            // m x n
+  G_position,   // m x n, rows of positions only
   G_T,          // n x m
   H,            // m x n, at the velocities
+  H_hold,       // m x n, the same of friction that may hold only
   H_second,     // m x n, at the second velocities
   K_lambda,     // n x n
   K_mu,         // n x n
@@ -78,12 +82,12 @@ struct MatrixLayout {
 class MultiplierMask {
  public:
   explicit MultiplierMask(const System& system) : system_(system) {
-    if (!system.dropped_rows().empty()) kept_.resize(static_cast<std::size_t>(system.rows()));
+    if (!system.left_out_rows().empty()) kept_.resize(static_cast<std::size_t>(system.rows()));
   }
   const double* kept(const double* multipliers) {
     if (kept_.empty()) return multipliers;
     std::copy_n(multipliers, kept_.size(), kept_.begin());
-    for (const int i : system_.dropped_rows()) kept_[static_cast<std::size_t>(i)] = 0.0;
+    for (const int i : system_.left_out_rows()) kept_[static_cast<std::size_t>(i)] = 0.0;
     return kept_.data();
   }
 

@@ -19,7 +19,7 @@ bool has_closed_loops(const System& system) {
     }
     return i;
   };
-  for (const ConstraintSlot& c : system.constraints()) {
+  for (const ConstraintSlot& c : system.joints()) {
     const auto& equations = c.element->equations();
     if (std::ranges::all_of(equations,
                             [](const Equation& e) { return e.measure == Measure::angle; }))

@@ -224,12 +224,12 @@ void SingularCrossing::check_redundant(double t, const double* q) {
 // Equations kept may become dependent where others are not.
 bool SingularCrossing::choose_other_rows() {
   System& system = dynamics_.system();
-  if (system.dropped_rows().empty()) return false;
+  if (system.left_out_rows().empty()) return false;
   // Where it is going: on the spot the choice that is about to fail still looks good.
   const double s = std::sqrt(m_), rate = (s - std::sqrt(m_before_));
   const double ahead = rate < 0.0 ? s / -rate * std::max(inner_->last_step(), 0.0) : 0.0;
   std::vector<double> phi(static_cast<std::size_t>(system.rows()));
-  const std::vector<int> before = system.dropped_rows();
+  const std::vector<int> before = system.left_out_rows();
   RankAnalysis analysis;
   bool other = false;
   for (const double way : {1.0, 2.0, 0.0}) {
@@ -371,7 +371,7 @@ StepCounters SingularCrossing::counters() const {
 std::unique_ptr<Formulation> guard_singular_positions(
     const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
     std::function<void(const SingularPosition&)> record) {
-  if (!has_closed_loops(dynamics.system()) && dynamics.system().dropped_rows().empty())
+  if (!has_closed_loops(dynamics.system()) && dynamics.system().left_out_rows().empty())
     return entry.make(dynamics, tolerances);
   return std::make_unique<SingularCrossing>(entry, dynamics, tolerances, std::move(record));
 }

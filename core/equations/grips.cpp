@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/grips.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <yoke/core/equations/index.hpp>
+
+namespace yoke {
+
+namespace {
+
+constexpr double at_limit = 1e-12;       // of the holding force: no more is kept for rounding
+constexpr double still = 64.0;           // roundings of the terms of a sliding velocity
+constexpr double slowest = 1e-13;        // in length scales per time scale: slower is at rest
+constexpr double immobile = 1e-10;      // of the mobility of the bodies without constraints
+constexpr double no_acceleration = 1e-9;  // of its terms
+constexpr double least_limit = 1e-6;  // of the largest: a smaller holding force counts as this
+
+/// The row of one hold at the motion set, whether it holds or not.
+struct Row {
+  std::vector<double> s;
+  double drift = 0.0, gamma = 0.0;
+};
+
+Row row_of(const System& system, const ForceSlot& f) {
+  Row row;
+  row.s.assign(at(f.columns), 0.0);
+  f.element->calc_hold(system.force_input(f),
+                       {.G = row.s.data(), .phi_t = &row.drift, .gamma = &row.gamma});
+  return row;
+}
+
+/// A sum and the size of its terms.
+struct Sum {
+  double value = 0.0, size = 0.0;
+  void add(double term) {
+    value += term;
+    size += std::abs(term);
+  }
+};
+
+Sum product(const System& system, const ForceSlot& f, const Row& row, const Eigen::VectorXd& x) {
+  Sum sum;
+  for (int j = 0; j < f.columns; ++j)
+    if (const int dof = system.dof()[at(f.dofs + j)]; dof >= 0) sum.add(row.s[at(j)] * x[dof]);
+  return sum;
+}
+
+class Settlement {
+ public:
+  Settlement(Dynamics& dynamics, State& state, std::span<const ContactMemory> before)
+      : dynamics_(dynamics), system_(dynamics.system()), state_(state) {
+    set_motion();
+    for (const ConstraintSlot& hold : system_.holds()) consider(hold, before);
+  }
+
+  Outcome settle() {
+    if (candidates_.empty()) return {};
+    const int worst_first = 2 * static_cast<int>(candidates_.size());
+    const int most = 10 + 8 * static_cast<int>(candidates_.size());
+    for (int round = 0; round < most; ++round) {
+      if (!try_grips()) return {false, "accelerations are not finite" + names()};
+      if (!pivot(round >= worst_first)) return finish();
+    }
+    return {false, "no friction forces are consistent" + names()};
+  }
+
+ private:
+  struct Candidate {
+    const ForceSlot* f;
+    ContactMemory* memory;
+    Row row;
+    bool rests = true;
+    bool broke = false;      // must not hold again at this instant
+    double direction = 0.0;  // +1, -1 of one that slides
+  };
+
+  void set_motion() {
+    system_.bind(state_);
+    system_.set_motion(state_.t, state_.q.data(), state_.v.data());
+    system_.set_states(state_.z.data());
+  }
+
+  void consider(const ConstraintSlot& hold, std::span<const ContactMemory> before) {
+    const ForceSlot& f = system_.forces()[at(hold.hold)];
+    ContactMemory& memory = state_.contacts[at(f.contacts)];
+    const Grip grip = memory.grip;
+    if (grip == Grip::none) return;
+    Candidate c{.f = &f, .memory = &memory, .row = row_of(system_, f)};
+    if (grip == Grip::forward || grip == Grip::backward) {
+      const Grip earlier = before[at(f.contacts)].grip;
+      c.broke = earlier == Grip::held || earlier == Grip::carried;
+      Sum speed = product(system_, f, c.row, state_.v);
+      speed.add(c.row.drift);
+      const double rounding = still * machine_epsilon * speed.size +
+                              slowest * system_.scales().length / system_.scales().time;
+      if (!c.broke && std::abs(speed.value) > rounding) return;  // it slides
+      c.direction = grip == Grip::forward ? 1.0 : -1.0;
+      c.rests = !c.broke;
+    }
+    candidates_.push_back(std::move(c));
+  }
+
+  /// Accelerations and friction forces if the candidates do what they are thought to do.
+  bool try_grips() {
+    for (Candidate& c : candidates_)
+      c.memory->grip = c.rests              ? Grip::carried
+                       : c.direction > 0.0 ? Grip::forward
+                                           : Grip::backward;
+    if (!dynamics_.calc_accelerations(state_)) return false;
+    for (Candidate& c : candidates_) {
+      if (!c.rests) continue;
+      double alone = 0.0;
+      if (!(dynamics_.mobility(*c.f, c.row.s.data(), alone) > immobile * alone)) continue;
+      c.memory->grip = Grip::held;
+      if (!dynamics_.calc_accelerations(state_)) return false;
+    }
+    dynamics_.share_hold_forces(state_.lambda.data());
+    return true;
+  }
+
+  /// Changes the worst, or the first, of what is not as it was thought to be. False: all is.
+  bool pivot(bool first) {
+    Candidate* worst = nullptr;
+    double most = 0.0, direction = 0.0;
+    for (Candidate& c : candidates_) {
+      const auto [violation, way] = c.rests ? of_rest(c) : of_sliding(c);
+      if (!(violation > most)) continue;
+      worst = &c;
+      most = violation;
+      direction = way;
+      if (first) break;
+    }
+    if (worst == nullptr) return false;
+    worst->rests = !worst->rests && !worst->broke;
+    worst->direction = direction;
+    return true;
+  }
+
+  struct Verdict {
+    double violation, direction;
+  };
+
+  Verdict of_rest(const Candidate& c) const {
+    const ForceInput in = system_.force_input(*c.f);
+    const double limit = c.f->element->holding_force(in) * (1.0 - at_limit), T = *in.hold;
+    const double way = T < 0.0 ? -1.0 : 1.0;
+    if (std::abs(T) > limit)
+      return {std::abs(T) / std::max(limit, std::numeric_limits<double>::min()), way};
+    if (c.memory->grip != Grip::carried) return {0.0, 0.0};
+    const Sum along = acceleration(c);  // it must be one that the others leave at rest
+    const bool rests = std::abs(along.value) <= no_acceleration * along.size;
+    return {rests ? 0.0 : std::numeric_limits<double>::infinity(), along.value < 0.0 ? -1.0 : 1.0};
+  }
+
+  Verdict of_sliding(const Candidate& c) const {
+    const Sum along = acceleration(c);
+    const double against = -c.direction * along.value;
+    return {against > no_acceleration * along.size ? against / along.size : 0.0, -c.direction};
+  }
+
+  Sum acceleration(const Candidate& c) const {
+    Sum along = product(system_, *c.f, c.row, state_.a);
+    along.add(-c.row.gamma);
+    return along;
+  }
+
+  Outcome finish() {
+    if (!dynamics_.project_velocities(state_.t, state_.q.data(), state_.v.data()) ||
+        !dynamics_.calc_accelerations(state_))
+      return {false, "accelerations are not finite" + names()};
+    return {};
+  }
+
+  std::string names() const {
+    std::string all;
+    for (const Candidate& c : candidates_)
+      all += (all.empty() ? " at '" : ", '") + c.f->element->name() + "'";
+    return all;
+  }
+
+  Dynamics& dynamics_;
+  System& system_;
+  State& state_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+Outcome settle_grips(Dynamics& dynamics, State& state, std::span<const ContactMemory> before) {
+  if (dynamics.system().holds().empty()) return {};
+  return Settlement(dynamics, state, before).settle();
+}
+
+bool Dynamics::calc_events(const Instant& instant, double* g) {
+  if (system_.any_grip()) {
+    a_there_.resize(system_.dofs());
+    lambda_there_.resize(system_.rows());
+    if (!calc_accelerations(instant, {.a = a_there_.data(), .lambda = lambda_there_.data()}))
+      return false;
+    share_hold_forces(lambda_there_.data());
+  } else {
+    system_.set_motion(instant.t, instant.q, instant.v);
+    system_.set_states(instant.z);
+  }
+  system_.calc_events(g);
+  return true;
+}
+
+// A force of 1 N at a carried row makes no acceleration, only other multipliers: rho. With the forces x
+// of the carried rows, those of the held ones are T + rho x; the sum of (T/limit)^2 shall be least.
+void Dynamics::share_hold_forces(const double* lambda) {
+  const auto holds = system_.holds();
+  const auto grip = [&](std::size_t i) { return system_.grip_memory(holds[i]).grip; };
+  hold_forces_.assign(holds.size(), 0.0);
+  held_.clear();
+  carried_.clear();
+  for (std::size_t i = 0; i < holds.size(); ++i) {
+    if (grip(i) == Grip::carried) carried_.push_back(i);
+    if (grip(i) != Grip::held) continue;
+    held_.push_back(i);
+    hold_forces_[i] = lambda[holds[i].row];
+  }
+  if (!carried_.empty()) share_with_carried();
+  system_.set_hold_forces(hold_forces_.data());
+}
+
+void Dynamics::share_with_carried() {
+  const auto slot = [&](std::size_t hold) -> const ForceSlot& {
+    return system_.forces()[at(system_.holds()[hold].hold)];
+  };
+  const auto count = [](const auto& list) { return static_cast<Eigen::Index>(list.size()); };
+  const Eigen::Index rows = count(held_) + count(carried_);
+  Eigen::MatrixXd rho = Eigen::MatrixXd::Zero(rows, count(carried_));
+  Eigen::VectorXd T = Eigen::VectorXd::Zero(rows), limit = T;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const bool is_held = i < count(held_);
+    const std::size_t hold = is_held ? held_[static_cast<std::size_t>(i)]
+                                     : carried_[static_cast<std::size_t>(i - count(held_))];
+    T[i] = hold_forces_[hold];
+    limit[i] = slot(hold).element->holding_force(system_.force_input(slot(hold)));
+    if (is_held) continue;
+    const Row row = row_of(system_, slot(hold));
+    std::fill(b_.begin(), b_.end(), 0.0);
+    for (int j = 0; j < slot(hold).columns; ++j)
+      if (const int dof = system_.dof()[at(slot(hold).dofs + j)]; dof >= 0)
+        b_[at(dof)] -= row.s[at(j)];
+    lu_->solve(b_.data());
+    const Eigen::Index column = i - count(held_);
+    for (Eigen::Index k = 0; k < count(held_); ++k)
+      rho(k, column) =
+          b_[at(system_.dofs() + system_.holds()[held_[static_cast<std::size_t>(k)]].row)];
+    rho(i, column) = 1.0;
+  }
+  // What can bear next to nothing has little weight, not none: it would drown the others.
+  const double floor = least_limit * std::max(limit.maxCoeff(), std::numeric_limits<double>::min());
+  const Eigen::VectorXd weight = limit.cwiseMax(floor).cwiseInverse() * limit.maxCoeff();
+  const Eigen::MatrixXd A = weight.asDiagonal() * rho;
+  const Eigen::VectorXd x = A.householderQr().solve(-(weight.asDiagonal() * T));
+  if (!x.allFinite()) return;
+  T += rho * x;
+  for (Eigen::Index i = 0; i < rows; ++i)
+    hold_forces_[i < count(held_) ? held_[static_cast<std::size_t>(i)]
+                                 : carried_[static_cast<std::size_t>(i - count(held_))]] = T[i];
+}
+
+}  // namespace yoke
