@@ -34,6 +34,8 @@ Case cam_follower_case();
 Case block_on_incline_case();
 Case belt_oscillator_case();
 Case rolling_disc_case();
+Case leaning_rod_case();
+Case painleve_rod_case();
 Case hanging_chain_case();
 Case point_pendulum_case();
 Case double_pendulum_case();
@@ -71,6 +73,8 @@ const std::vector<Case>& case_registry() {
       block_on_incline_case(),
       belt_oscillator_case(),
       rolling_disc_case(),
+      leaning_rod_case(),
+      painleve_rod_case(),
       // pendulums and chains
       hanging_chain_case(),
       double_pendulum_case(),

@@ -254,8 +254,7 @@ void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   values[7] = place.wall_curvature;
   if (!has_friction_) return;
   const double held = in.hold != nullptr ? *in.hold : 0.0;
-  values[8] =
-      slides(memory) ? calc_friction(in, values[2], place.tangential_velocity).force : held;
+  values[8] = slides(memory) ? calc_friction(in, values[2], place.tangential_velocity).force : held;
 }
 
 }  // namespace yoke

@@ -152,6 +152,10 @@ class ContactElement final : public ForceElement {
     std::array<double, ContactKinematics::columns> gradient;
   };
 
+  struct Sliding {
+    double value, slowest;  // [m/s] the least that is told from rest
+  };
+
   /// The normal force, and its derivatives by the coordinates and velocities of both bodies.
   struct Pressure {
     double force = 0.0;
@@ -171,10 +175,11 @@ class ContactElement final : public ForceElement {
   void add_friction(const ForceInput& in, const ForceRequest& out, const Pressure& pressure) const;
   bool slides(const ContactMemory& memory) const;
   bool holds(int region) const { return law(region).friction.holds(); }
-  double sliding_velocity(const ForceInput& in) const;
+  Sliding sliding_velocity(const ForceInput& in) const;
   double calc_grip_event(const ForceInput& in) const;
   void handle_grip(EventContext& context) const;
   void take_grip(EventContext& context) const;
+  void note_wedging(EventContext& context) const;
   FrictionOutput calc_friction(const ForceInput& in, double normal_force, double sliding) const;
   void let_bristles_go(EventContext& context, int region) const;
   void pass_bristles_on(EventContext& context, int from, int to) const;

@@ -35,10 +35,14 @@ bool ContactElement::slides(const ContactMemory& memory) const {
   return !holds(memory.region) || memory.grip == Grip::forward || memory.grip == Grip::backward;
 }
 
-double ContactElement::sliding_velocity(const ForceInput& in) const {
+ContactElement::Sliding ContactElement::sliding_velocity(const ForceInput& in) const {
   SlipKinematics k;
   geometry_->calc_slip(in.motion, in.contact->region, false, k);
-  return dot(k.row, velocity(in.motion)) - geometry_->surface_speed();
+  const ContactRow v = velocity(in.motion);
+  const double belt = geometry_->surface_speed();
+  double terms = std::abs(belt);
+  for (std::size_t i = 0; i < columns; ++i) terms += std::abs(k.row[i] * v[i]);
+  return {dot(k.row, v) - belt, slowest_sliding(in.scales, terms)};
 }
 
 void ContactElement::calc_hold(const ForceInput& in, const ConstraintRequest& out) const {
@@ -64,28 +68,28 @@ double ContactElement::holding_force(const ForceInput& in) const {
   return law(in.contact->region).friction.holding_force(pressure);
 }
 
-/// [N] or [m/s] positive where the hold has broken, or sliding has come back through zero.
+/// [N] or [m/s] positive where the hold has broken, or sliding has come back through zero: by a margin,
+/// so that a sliding that begins is seen to go the wrong way.
 double ContactElement::calc_grip_event(const ForceInput& in) const {
-  switch (in.contact->grip) {
-    case Grip::held:
-    case Grip::carried:
-      return in.hold != nullptr ? std::abs(*in.hold) - holding_force(in) : -1.0;
-    case Grip::forward:
-      return -sliding_velocity(in);
-    case Grip::backward:
-      return sliding_velocity(in);
-    default:
-      return -1.0;
-  }
+  const Grip g = in.contact->grip;
+  if (g == Grip::held || g == Grip::carried)
+    return in.hold != nullptr ? std::abs(*in.hold) - holding_force(in) : -1.0;
+  if (g == Grip::none || g == Grip::undecided) return -1.0;
+  const auto [value, slowest] = sliding_velocity(in);
+  if (g == Grip::guided) return std::abs(value) - slowest;
+  return (g == Grip::forward ? -value : value) - slowest;
 }
 
 void ContactElement::handle_grip(EventContext& context) const {
   ContactMemory& memory = *context.contact;
-  const bool held = memory.grip == Grip::held || memory.grip == Grip::carried;
-  if (!held)
+  if (!rests(memory.grip)) {
     memory.grip = Grip::undecided;
-  else if (context.input.hold != nullptr)
-    memory.grip = *context.input.hold < 0.0 ? Grip::backward : Grip::forward;
+    return;
+  }
+  const double way = memory.grip == Grip::guided     ? sliding_velocity(context.input).value
+                     : context.input.hold != nullptr ? *context.input.hold
+                                                     : 0.0;
+  memory.grip = way < 0.0 ? Grip::backward : Grip::forward;
 }
 
 /// At an onset, or where the contact has come to another law.
@@ -95,14 +99,38 @@ void ContactElement::take_grip(EventContext& context) const {
     memory.grip = Grip::none;
     return;
   }
-  const double speed = sliding_velocity(context.input);
-  const bool rests = memory.grip == Grip::held || memory.grip == Grip::carried || speed == 0.0;
-  memory.grip = rests ? Grip::undecided : speed > 0.0 ? Grip::forward : Grip::backward;
+  const double speed = sliding_velocity(context.input).value;
+  const bool at_rest = rests(memory.grip) || speed == 0.0;
+  memory.grip = at_rest ? Grip::undecided : speed > 0.0 ? Grip::forward : Grip::backward;
+}
+
+/// Sliding whose friction presses the surfaces together more than the normal force holds them apart: as
+/// rigid bodies they have no motion, or several (P. Painleve, C. R. Acad. Sci. Paris 1895, 121, 112-115).
+/// Compliant ones have one, in which the force grows until sliding has stopped or they part.
+void ContactElement::note_wedging(EventContext& context) const {
+  const int region = context.contact->region;
+  if (law(region).friction.none()) return;
+  ContactKinematics k;
+  SlipKinematics s;
+  geometry_->calc_kinematics(context.input.motion, region, false, k);
+  geometry_->calc_slip(context.input.motion, region, false, s);
+  const double sliding = sliding_velocity(context.input).value;
+  const double mu = calc_friction(context.input, reference_force_, sliding).dforce_dnormal;
+  ContactRow sum = k.gradient, difference = k.gradient;
+  for (std::size_t i = 0; i < columns; ++i) sum[i] += s.row[i], difference[i] -= s.row[i];
+  const auto mobility = [&](const ContactRow& d) { return 1.0 / context.effective_mass(d.data()); };
+  const double along = mobility(k.gradient), across = 0.25 * (mobility(sum) - mobility(difference));
+  if (!(along + mu * across <= 0.0) || mu == 0.0 || !context.note) return;
+  context.note(fmt::format(
+      "slides with a friction that wedges it in (Painleve's paradox) at t = {:.6g} s: the coefficient of "
+      "friction is {:.3g}, and beyond {:.3g} friction presses more than the normal force holds apart; "
+      "rigid bodies would have no motion, what happens here is up to the elasticity of the contact",
+      context.input.motion.t, std::abs(mu), along / std::abs(across)));
 }
 
 void ContactElement::grip_changed(Grip before, EventContext& context) const {
-  const auto rests = [](Grip g) { return g == Grip::held || g == Grip::carried; };
   const ContactMemory& memory = *context.contact;
+  if (slides(memory)) note_wedging(context);
   const bool begins = before == Grip::none || memory.grip == Grip::none;
   if (rests(memory.grip) == rests(before) && (begins || rests(before))) return;
   if (begins && !rests(memory.grip)) return;

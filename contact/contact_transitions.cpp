@@ -177,6 +177,7 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
   memory.approach_velocity = std::max(now.rate, 0.0);
   memory.effective_mass = context.effective_mass(now.gradient.data());
   take_grip(context);
+  if (has_friction_ && !may_hold_) note_wedging(context);
   if (context.fail && !std::isfinite(memory.effective_mass) && !works_without_mass(memory, now))
     context.fail(fmt::format(
         "{}: the law '{}' damps with the effective mass of the contact, but at t = {:.9g} s drivers "

@@ -15,10 +15,15 @@ enum class Grip {
   none,       // no contact, or no such friction
   held,       // at rest: a row of the equations of motion holds it
   carried,    // at rest without a row of its own: those of others hold it too
+  guided,     // at rest because joints and drivers leave it no motion; ends when they move it
   forward,    // slides with a positive sliding velocity, or begins to
   backward,   // with a negative one
   undecided,  // at rest at this instant: between an event and what becomes of it only
 };
+
+inline bool rests(Grip grip) {
+  return grip == Grip::held || grip == Grip::carried || grip == Grip::guided;
+}
 
 /// Discrete memory of one contact. Penetration > 0 in contact, rate > 0 while approaching.
 struct ContactMemory {

@@ -56,6 +56,12 @@ struct Scales {
   double time = 1.0;    // [s]
 };
 
+/// [m/s] Sliding that is not told from rest, for a velocity whose terms have the sum `terms` [m/s].
+inline double slowest_sliding(const Scales& scales, double terms) {
+  return 1e-12 * scales.length / scales.time +
+         64.0 * std::numeric_limits<double>::epsilon() * terms;
+}
+
 /// What a force element may read.
 struct ForceInput {
   const Motion& motion;

@@ -27,7 +27,7 @@ struct FrictionInput {
   double normal_force = 0.0;  // [N] N >= 0
   double sliding = 0.0;       // [m/s] v, of one surface relative to the other
   double state = 0.0;         // z of a law that has one
-  double direction = 0.0;     // +1 or -1: which way it slides, also where v is zero; of laws that hold
+  double direction = 0.0;  // +1 or -1: which way it slides, also where v is zero; of laws that hold
   double reference_force =
       1.0;  // [N] a light load of this pair of surfaces: what is small beside it
 };
@@ -78,9 +78,7 @@ class FrictionLaw {
   /// At rest it is a constraint.
   bool holds() const { return function_ && function_->holds(); }
   /// Only if holds().
-  double holding_force(double normal_force) const {
-    return function_->holding_force(normal_force);
-  }
+  double holding_force(double normal_force) const { return function_->holding_force(normal_force); }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
  private:

@@ -185,6 +185,7 @@ State Model::start_state() const {
     states += static_cast<Eigen::Index>(f->states().size());
     quadratures += (f->dissipates() ? 1 : 0) + (f->supplies() ? 1 : 0);
     contacts += static_cast<std::size_t>(f->contacts());
+    multipliers += f->may_hold() ? 1 : 0;
     for (const Parameter& p : f->parameters()) state.parameters.push_back(p.value);
   }
   state.lambda = Eigen::VectorXd::Zero(multipliers);

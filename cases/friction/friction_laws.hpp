@@ -23,8 +23,8 @@ struct Pressed {
   double normal_force = 0.0;  // [N]
 };
 
-/// A contact K d^1.5 (1 + 10 s/m d'), with the friction law after which it is called: brown-mcphee (the
-/// base), regularised-coulomb, stribeck, bengisu-akay, dahl and lugre. `walls` as in ContactChoice.
+/// A contact K d^1.5 (1 + 10 s/m d'), with the friction law after which it is called: coulomb (the
+/// base), brown-mcphee, regularised-coulomb, stribeck, bengisu-akay, dahl and lugre. `walls` as in ContactChoice.
 ContactChoice friction_laws(std::function<std::vector<Wall>(const Parameters&)> walls,
                             const std::function<Pressed(const Parameters&)>& pressed);
 
@@ -41,8 +41,8 @@ struct LineMotion {
 struct LinePoint {
   double x, v;  // [m, m/s]
 };
-/// Where it is at each of the times [s], increasing, by another library's method of
-/// Dormand and Prince: what a run of the engine is compared with.
+/// Where it is at each of the times [s], increasing: what a run of the engine is compared with. By another
+/// library's method of Dormand and Prince; under a law that holds (Coulomb's) in closed form.
 std::vector<LinePoint> move_on_line(const FrictionLaw& friction, const LineMotion& start,
                                     const std::vector<double>& times);
 

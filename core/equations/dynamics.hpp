@@ -188,8 +188,8 @@ class Dynamics {
   std::vector<double> q_factorised_;
   double t_factorised_ = 0.0;
   bool factorised_ = false;
-  std::vector<int> hold_diagonal_;  // slots of the rows of friction that may hold
-  long version_factorised_ = 0;     // System::hold_version()
+  std::vector<int> hold_diagonal_;          // slots of the rows of friction that may hold
+  long version_factorised_ = 0;             // System::hold_version()
   Eigen::VectorXd a_there_, lambda_there_;  // of looks at friction that holds
   std::vector<double> hold_forces_;
   std::vector<std::size_t> held_, carried_;

@@ -34,8 +34,7 @@ double Dynamics::independence(double t, const double* q, int iterations) {
     std::fill_n(b_.begin(), n, 0.0);
     for (int i = 0; i < rows; ++i) {
       // A little of everything, or a direction the last one has no part in would stay unseen.
-      const double w =
-          counts(i) ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
+      const double w = counts(i) ? weakest_[at(i)] + 1e-3 * std::cos(2.0 + 1.7 * i) : 0.0;
       b_[at(n + i)] = w;
       before += w * w;
     }

@@ -13,11 +13,13 @@ namespace yoke {
 
 namespace {
 
-constexpr double at_limit = 1e-12;       // of the holding force: no more is kept for rounding
-constexpr double still = 64.0;           // roundings of the terms of a sliding velocity
-constexpr double slowest = 1e-13;        // in length scales per time scale: slower is at rest
-constexpr double immobile = 1e-10;      // of the mobility of the bodies without constraints
-constexpr double no_acceleration = 1e-9;  // of its terms
+constexpr double at_limit = 1e-12;  // of the holding force: no more is kept for rounding
+constexpr double immobile = 1e-10;  // of the mobility of the bodies without constraints
+// The same with other friction at rest. Two feet of one body are not quite at one height where they
+// penetrate differently: their rows tell that difference from zero, their friction does not.
+constexpr double hardly_mobile = 1e-6;
+constexpr double no_acceleration = 1e-9;      // of its terms
+constexpr double next_to_no_friction = 1e-6;  // of the holding force
 constexpr double least_limit = 1e-6;  // of the largest: a smaller holding force counts as this
 
 /// The row of one hold at the motion set, whether it holds or not.
@@ -75,7 +77,9 @@ class Settlement {
     ContactMemory* memory;
     Row row;
     bool rests = true;
-    bool broke = false;      // must not hold again at this instant
+    bool broke = false;  // must not hold again at this instant
+    bool guided = false;
+    double alone = 0.0;      // [1/kg] mobility of the bodies without constraints
     double direction = 0.0;  // +1, -1 of one that slides
   };
 
@@ -94,12 +98,11 @@ class Settlement {
     if (grip == Grip::forward || grip == Grip::backward) {
       const Grip earlier = before[at(f.contacts)].grip;
       c.broke = earlier == Grip::held || earlier == Grip::carried;
+      c.direction = grip == Grip::forward ? 1.0 : -1.0;
       Sum speed = product(system_, f, c.row, state_.v);
       speed.add(c.row.drift);
-      const double rounding = still * machine_epsilon * speed.size +
-                              slowest * system_.scales().length / system_.scales().time;
-      if (!c.broke && std::abs(speed.value) > rounding) return;  // it slides
-      c.direction = grip == Grip::forward ? 1.0 : -1.0;
+      const double slowest = 2.0 * slowest_sliding(system_.scales(), speed.size);
+      if (!c.broke && std::abs(speed.value) > slowest) return;  // it slides
       c.rests = !c.broke;
     }
     candidates_.push_back(std::move(c));
@@ -108,14 +111,16 @@ class Settlement {
   /// Accelerations and friction forces if the candidates do what they are thought to do.
   bool try_grips() {
     for (Candidate& c : candidates_)
-      c.memory->grip = c.rests              ? Grip::carried
-                       : c.direction > 0.0 ? Grip::forward
-                                           : Grip::backward;
+      c.memory->grip = c.rests ? Grip::carried : c.direction > 0.0 ? Grip::forward : Grip::backward;
     if (!dynamics_.calc_accelerations(state_)) return false;
+    for (Candidate& c : candidates_) {  // nothing is held yet
+      const double mobility = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
+      c.guided = !(mobility > immobile * c.alone);
+      if (c.rests && c.guided) c.memory->grip = Grip::guided;
+    }
     for (Candidate& c : candidates_) {
-      if (!c.rests) continue;
-      double alone = 0.0;
-      if (!(dynamics_.mobility(*c.f, c.row.s.data(), alone) > immobile * alone)) continue;
+      if (!c.rests || c.guided) continue;
+      if (!(dynamics_.mobility(*c.f, c.row.s.data(), c.alone) > hardly_mobile * c.alone)) continue;
       c.memory->grip = Grip::held;
       if (!dynamics_.calc_accelerations(state_)) return false;
     }
@@ -151,16 +156,18 @@ class Settlement {
     const double way = T < 0.0 ? -1.0 : 1.0;
     if (std::abs(T) > limit)
       return {std::abs(T) / std::max(limit, std::numeric_limits<double>::min()), way};
-    if (c.memory->grip != Grip::carried) return {0.0, 0.0};
-    const Sum along = acceleration(c);  // it must be one that the others leave at rest
+    if (c.memory->grip != Grip::guided) return {0.0, 0.0};
+    const Sum along = acceleration(c);
     const bool rests = std::abs(along.value) <= no_acceleration * along.size;
     return {rests ? 0.0 : std::numeric_limits<double>::infinity(), along.value < 0.0 ? -1.0 : 1.0};
   }
 
   Verdict of_sliding(const Candidate& c) const {
     const Sum along = acceleration(c);
+    const double limit = c.f->element->holding_force(system_.force_input(*c.f));
+    const double nothing = no_acceleration * along.size + next_to_no_friction * c.alone * limit;
     const double against = -c.direction * along.value;
-    return {against > no_acceleration * along.size ? against / along.size : 0.0, -c.direction};
+    return {against > nothing ? against / along.size : 0.0, -c.direction};
   }
 
   Sum acceleration(const Candidate& c) const {
@@ -212,7 +219,8 @@ bool Dynamics::calc_events(const Instant& instant, double* g) {
 }
 
 // A force of 1 N at a carried row makes no acceleration, only other multipliers: rho. With the forces x
-// of the carried rows, those of the held ones are T + rho x; the sum of (T/limit)^2 shall be least.
+// of the carried rows, those of the held ones are T + rho x; the sum of T^2/limit shall be least, which
+// among parallel rows makes all use the same part of their limits.
 void Dynamics::share_hold_forces(const double* lambda) {
   const auto holds = system_.holds();
   const auto grip = [&](std::size_t i) { return system_.grip_memory(holds[i]).grip; };
@@ -258,14 +266,15 @@ void Dynamics::share_with_carried() {
   }
   // What can bear next to nothing has little weight, not none: it would drown the others.
   const double floor = least_limit * std::max(limit.maxCoeff(), std::numeric_limits<double>::min());
-  const Eigen::VectorXd weight = limit.cwiseMax(floor).cwiseInverse() * limit.maxCoeff();
+  const Eigen::VectorXd weight =
+      (limit.cwiseMax(floor) / std::max(limit.maxCoeff(), floor)).cwiseInverse().cwiseSqrt();
   const Eigen::MatrixXd A = weight.asDiagonal() * rho;
   const Eigen::VectorXd x = A.householderQr().solve(-(weight.asDiagonal() * T));
   if (!x.allFinite()) return;
   T += rho * x;
   for (Eigen::Index i = 0; i < rows; ++i)
     hold_forces_[i < count(held_) ? held_[static_cast<std::size_t>(i)]
-                                 : carried_[static_cast<std::size_t>(i - count(held_))]] = T[i];
+                                  : carried_[static_cast<std::size_t>(i - count(held_))]] = T[i];
 }
 
 }  // namespace yoke

@@ -13,8 +13,9 @@
 // later the first in order, which cannot cycle (K.G. Murty, Linear Complementarity, Linear and Nonlinear
 // Programming, 1988, ch. 4). What broke at this instant does not hold again at it.
 //
-// Rows at rest that depend on others get none (Grip::carried): two feet of a rigid block, say. Dynamics::share_hold_forces()
-// says how they share.
+// Rows at rest that depend on others get none (Grip::carried): two feet of a rigid block, say.
+// Dynamics::share_hold_forces() says how they share. Those that joints and drivers leave no motion get
+// none and bear nothing (Grip::guided): there is no telling what they bear.
 #pragma once
 
 #include <span>

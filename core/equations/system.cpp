@@ -110,7 +110,7 @@ void System::note_holds() {
   for (std::size_t i = 0; i < holding_.size(); ++i) {
     const Grip grip = grip_memory(holds()[i]).grip;
     const char holding = grip == Grip::held ? 1 : 0;
-    any_grip_ = any_grip_ || grip == Grip::held || grip == Grip::carried;
+    any_grip_ = any_grip_ || rests(grip);
     changed = changed || holding != holding_[i];
     holding_[i] = holding;
   }

@@ -66,8 +66,8 @@ class System {
   System& operator=(const System&) = delete;
 
   const Model& model() const { return model_; }
-  int dofs() const { return dofs_; }      // 3 nb
-  int rows() const { return rows_; }      // constraint equations, and those of friction that may hold
+  int dofs() const { return dofs_; }  // 3 nb
+  int rows() const { return rows_; }  // constraint equations, and those of friction that may hold
   int states() const { return states_; }  // element states z
   int quadratures() const { return quadratures_; }
   int events() const { return events_; }
@@ -187,7 +187,7 @@ class System {
   std::vector<std::unique_ptr<const HeldRow>> held_rows_;
   std::vector<char> left_out_, dropped_;  // [rows]
   std::vector<int> left_out_rows_, dropped_rows_;
-  std::vector<char> holding_;       // [holds]
+  std::vector<char> holding_;        // [holds]
   std::vector<double> hold_forces_;  // [holds]
   bool hold_forces_known_ = false, any_grip_ = false;
   long hold_version_ = 0;

@@ -252,7 +252,8 @@ void GeneralisedAlpha::calc_normal_jerk() {
   if (size == 0.0) return;
   const double s = std::max(speed, 1.0) / size;  // both of one size: least rounding
   for (std::size_t i = 0; i < v_.size(); ++i) v_old_[i] = v_[i] = end_.v[i] + s * jerk_[i];
-  if (!dynamics_.project_velocities(end_.t, absolute(end_.u), v_.data(), Rows::of_positions)) return;
+  if (!dynamics_.project_velocities(end_.t, absolute(end_.u), v_.data(), Rows::of_positions))
+    return;
   for (std::size_t i = 0; i < v_.size(); ++i) jerk_normal_[i] = (v_old_[i] - v_[i]) / s;
 }
 

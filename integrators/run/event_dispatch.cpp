@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/event_dispatch.hpp>
 
+#include <algorithm>
 #include <utility>
 
 #include <yoke/core/equations/grips.hpp>
@@ -21,40 +22,49 @@ EventContext ElementEvents::context_of(const ForceSlot& slot) {
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system.dof()[static_cast<std::size_t>(slot.dofs + j)]; dof >= 0)
       local_acceleration_[static_cast<std::size_t>(j)] = state_.a[dof];
-  return {
-      .input = system.force_input(slot),
-      .contact = state_.contacts.data() + slot.contacts,
-      .z = state_.z.data() + slot.z,
-      .effective_mass = [this,
-                         &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
-      .acceleration = local_acceleration_.data(),
-      .dissipate =
-          [this, &slot](double joules) {
-            if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
-          },
-      .record =
-          [this, &slot](EventRecord record) {
-            record.t = state_.t;
-            record.element = slot.element->name();
-            result_.events.push_back(std::move(record));
-          },
-      .fail =
-          [this, &slot](std::string reason) {
-            stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
-          },
-      .stop =
-          [this, &slot] {
-            stop_(Stop::by_event,
-                  fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
-          },
-      .note =
-          [this, &slot](std::string text) {
-            result_.summary.notes.push_back(fmt::format("'{}': {}", slot.element->name(), text));
-          },
-      .parameter = [this](std::string_view name) -> double& {
-        parameters_changed_ = true;
-        return state_.parameters[dynamics_.system().model().find_parameter(name)];
-      }};
+  return {.input = system.force_input(slot),
+          .contact = state_.contacts.data() + slot.contacts,
+          .z = state_.z.data() + slot.z,
+          .effective_mass = [this,
+                             &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
+          .acceleration = local_acceleration_.data(),
+          .dissipate =
+              [this, &slot](double joules) {
+                if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+              },
+          .record =
+              [this, &slot](EventRecord record) {
+                record.t = state_.t;
+                record.element = slot.element->name();
+                result_.events.push_back(std::move(record));
+              },
+          .fail =
+              [this, &slot](std::string reason) {
+                stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
+              },
+          .stop =
+              [this, &slot] {
+                stop_(Stop::by_event,
+                      fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
+              },
+          .note =
+              [this, &slot](std::string text) {
+                add_note(fmt::format("'{}': {}", slot.element->name(), text));
+              },
+          .parameter = [this](std::string_view name) -> double& {
+            parameters_changed_ = true;
+            return state_.parameters[dynamics_.system().model().find_parameter(name)];
+          }};
+}
+
+/// What an element says again and again is noted a few times only.
+void ElementEvents::add_note(const std::string& note) {
+  constexpr std::ptrdiff_t most = 3;
+  const std::string beginning = note.substr(0, note.find(" at t ="));
+  std::vector<std::string>& notes = result_.summary.notes;
+  const auto same = std::ranges::count_if(
+      notes, [&](const std::string& earlier) { return earlier.starts_with(beginning); });
+  if (same < most) notes.push_back(note + (same + 1 == most ? "; further ones are not noted" : ""));
 }
 
 void ElementEvents::initialise_contacts() {

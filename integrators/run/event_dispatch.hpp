@@ -31,6 +31,7 @@ class ElementEvents {
  private:
   EventContext context_of(const ForceSlot& slot);
   void settle_grips();
+  void add_note(const std::string& note);
   void handle_one(const ForceSlot& slot, int event);
 
   Dynamics& dynamics_;

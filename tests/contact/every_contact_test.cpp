@@ -13,6 +13,7 @@
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/laws/friction/brown_mcphee.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/tests/messages.hpp>
 
@@ -60,6 +61,7 @@ std::vector<ContactMode> friction_modes_for(const AnyContact& contact) {
   };
   return {{"sliding", ContactLaw{plain.elastic, plain.dissipation, sliding}},
           {"with bristles", ContactLaw{plain.elastic, plain.dissipation, bristles}},
+          {"dry", ContactLaw{plain.elastic, plain.dissipation, Coulomb{0.3, 0.4}}},
           {"sliding, following the radius", graded}};
 }
 
@@ -297,6 +299,60 @@ TEST_CASE("every contact with friction: derivatives are exact, by the state too"
           CHECK(by_z < 1e-6);
         },
         grounded, friction_modes_for);
+}
+
+TEST_CASE(
+    "every contact with dry friction: the row that holds is that of the slip, its blocks exact") {
+  for_every_place(
+      [](Bench& bench, const AnyContact&) {
+        double worst_H = 0.0, worst_K = 0.0, worst_gamma = 0.0;
+        for (int i = 0; i < 20; ++i) {
+          bench.draw(2e-5);
+          Scene& scene = bench.scene;
+          if (!scene.element->may_hold()) return;
+          const Row6 q = scene.q(), v = scene.v();
+          const auto slip_at = [&](const Row6& at) {
+            scene.set(at, v);
+            Row6 s{};
+            double drift = 0.0;
+            scene.element->calc_hold(scene.input(), {.G = s.data(), .phi_t = &drift});
+            double sum = drift;
+            for (std::size_t j = 0; j < 6; ++j) sum += s[j] * v[j];
+            return std::pair(s, sum);
+          };
+          Row6 G{}, H{};
+          Square6 K{};
+          const double lambda = 37.0;
+          double gamma = 0.0;
+          scene.element->calc_hold(
+              scene.input(),
+              {.G = G.data(), .gamma = &gamma, .H = H.data(), .K = K.data(), .lambda = &lambda});
+          CHECK(slip_at(q).second == Approx(scene.channel_values()[6]).epsilon(1e-12));
+          double gamma_by_differences = 0.0;
+          const double size = largest_of(K) + 1e-3 * lambda;
+          for (std::size_t j = 0; j < 6; ++j) {
+            const auto shifted = [&](double x) {
+              Row6 at = q;
+              at[j] += x;
+              return at;
+            };
+            const double step = 2e-6;
+            const Row6 h = slope(step, [&](double x) { return Row6{slip_at(shifted(x)).second}; });
+            worst_H = std::max(worst_H, std::abs(h[0] - H[j]) / (size / lambda));
+            gamma_by_differences -= h[0] * v[j];
+            const Row6 k = slope(step, [&](double x) { return slip_at(shifted(x)).first; });
+            for (std::size_t r = 0; r < 6; ++r)
+              worst_K = std::max(worst_K, std::abs(lambda * k[r] - K[6 * r + j]) / size);
+          }
+          worst_gamma =
+              std::max(worst_gamma, std::abs(gamma - gamma_by_differences) / (size / lambda));
+          scene.set(q, v);
+        }
+        CHECK(worst_H < 1e-6);
+        CHECK(worst_K < 1e-6);
+        CHECK(worst_gamma < 1e-5);
+      },
+      Grounded::neither, friction_modes_for);
 }
 
 TEST_CASE(

@@ -12,10 +12,12 @@
 
 #include <yoke/contact/disc_on_curve.hpp>
 #include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/geometry/curve_slot.hpp>
 #include <yoke/contact/laws/catalog/friction_catalog.hpp>
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/laws/friction/brown_mcphee.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
@@ -174,8 +176,43 @@ TEST_CASE("friction: a free roller in a slot rolls or skids, and the ledger is c
   CHECK(run["dissipated_J"].tail(1)[0] > 0.0);
 }
 
+TEST_CASE("friction: a roller rolls through a slot without slip, from straight parts into bends") {
+  const double r = 7.9e-3, half_width = 8e-3, clearance = half_width - r;
+  const double depth = std::pow(0.05 * g / 1e8, 2.0 / 3.0), arm = r - depth;
+  Model m;
+  const Vec2 start(-0.03, -clearance - depth);
+  const BodyId roller = m.add(Body{.name = "roller",
+                                   .mass = 0.05,
+                                   .inertia = 0.5 * 0.05 * r * r,
+                                   .pose = {start, 0.0},
+                                   .twist = {{0.5, 0.0}, -0.5 / arm}});
+  m.add(Gravity{.acceleration = {0.0, -g}});
+  const Curve floor =
+      chain({line_segment({-0.05, 0.0}, {0.0, 0.0}),
+             circular_arc(
+                 {.center = {0.0, 0.06}, .radius = 0.06, .start = -0.5 * pi, .angle = 0.5 * pi})});
+  m.add(PinInSlot{.name = "slot",
+                  .pin = {roller, start, r},
+                  .slot = {ground, curve_slot({.centreline = floor, .half_width = half_width})},
+                  .law = ContactLaw{PowerLaw{1e8, 1.5}, HuntCrossley{0.4}, Coulomb{0.4, 0.5}},
+                  .reference_force = 1.0});
+  const Result run = simulate(m, {.until = 0.1, .relative_tolerance = 1e-10, .samples = 401});
+  REQUIRE(run.summary.ok());
+  const Eigen::VectorXd slip = run["slot.tangential_velocity_m_per_s"], x = run["roller.x_m"],
+                        N = run["slot.normal_force_N"], T = run["slot.friction_force_N"];
+  CHECK(x[400] > 5e-3);  // in the bend
+  CHECK(run.summary.energy_balance < 1e-9 * run.summary.energy_exchanged);
+  Eigen::Index held = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (N[i] > 0.0) CHECK(std::abs(T[i]) <= 0.5 * N[i] * (1.0 + 1e-9));
+    if (N[i] > 0.0 && std::abs(slip[i]) < 1e-14) ++held;
+  }
+  CHECK(held > 350);
+}
+
 TEST_CASE("friction: rest under gravity is found with it, too") {
-  for (const FrictionLaw& friction : {FrictionLaw(smooth), FrictionLaw(bristles)}) {
+  for (const FrictionLaw& friction :
+       {FrictionLaw(smooth), FrictionLaw(bristles), FrictionLaw(Coulomb{0.3, 0.4})}) {
     INFO(friction.name());
     Model m;
     const Vec2 start(0.0, radius + 1e-3);

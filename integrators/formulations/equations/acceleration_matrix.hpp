@@ -14,7 +14,8 @@
 // R_l is G v' - gamma + 2 alpha (G v + Phi_t) + beta^2 Phi. What is left out is the change of the
 // convective term gamma with the position (third derivatives of Phi, times v v): against c^2 G it
 // is as small as the square of the angle turned within a step, and Newton's iteration, which keeps
-// its matrix over many steps anyway, does not notice. It has no say in the result.
+// its matrix over many steps anyway, does not notice. It has no say in the result. Nor has the part of
+// d(gamma)/dv that is not 2 H in rows of friction that holds, whose G is no gradient.
 #pragma once
 
 #include <yoke/integrators/formulations/equations/iteration_matrix.hpp>

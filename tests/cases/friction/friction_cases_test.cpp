@@ -3,7 +3,9 @@
 //
 // The cases of friction against closed forms; their own checks compare them with another integrator.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,7 +28,8 @@ constexpr double g = 9.81;
 double last(const Eigen::VectorXd& column) { return column[column.size() - 1]; }
 
 TEST_CASE("friction cases: every law and every formulation, as another integrator says") {
-  for (const char* name : {"block_on_incline", "belt_oscillator", "rolling_disc"})
+  for (const char* name :
+       {"block_on_incline", "belt_oscillator", "rolling_disc", "leaning_rod", "painleve_rod"})
     for (const NamedLaw& law : find_case(name).contact.laws) {
       INFO(name << " " << law.name);
       impact_run(name, {}, law.name, {.relative_tolerance = 1e-9, .samples = 501});
@@ -58,6 +61,38 @@ TEST_CASE("block_on_incline: bristles hold it below the friction angle; above, i
   const double ahead = last(slides.result["block.x_m"]) - 0.5 * a * 4.0;
   CHECK(ahead > 0.0);
   CHECK(ahead < 1e-4 * 2.0);
+}
+
+TEST_CASE("leaning_rod: it holds above the critical angle and slides below, as a rigid one would") {
+  for (const double mu : {0.2, 0.5, 0.7}) {
+    const double critical = 90.0 - 2.0 * std::atan(mu) * 180.0 / pi;
+    for (const double beside : {-0.5, 0.5}) {
+      const std::vector<std::string> set = {fmt::format("angle={}deg", critical + beside),
+                                            fmt::format("mu={}", mu),
+                                            fmt::format("mu_static={}", mu), "duration=1s"};
+      const auto run = impact_run("leaning_rod", set, "coulomb");
+      const Eigen::VectorXd angle = run.result["rod.angle_rad"];
+      const double turned = std::abs(last(angle) - angle[0]);
+      INFO(mu << " " << beside);
+      if (beside > 0.0)
+        CHECK(turned < 1e-8);
+      else
+        CHECK(turned > 1e-3);
+    }
+  }
+}
+
+TEST_CASE("painleve_rod: the paradox is reported where it is, and the tip jams") {
+  for (const char* mu : {"1.30", "1.34", "1.36", "1.8"}) {  // the limit is 1.347
+    INFO(mu);
+    const std::vector<std::string> set = {std::string("mu=") + mu, std::string("mu_static=") + mu};
+    const auto run = impact_run("painleve_rod", set, "coulomb");  // its checks see the note
+    const bool jams = std::ranges::any_of(run.result.events,
+                                          [](const EventRecord& e) { return e.kind == "stick"; });
+    if (std::stod(mu) > 1.347) CHECK(jams);
+  }
+  // The other way round there is no paradox.
+  impact_run("painleve_rod", {"speed=-1", "mu=1.8", "mu_static=1.8"}, "coulomb");
 }
 
 TEST_CASE("rolling_disc: it ends rolling, a uniform disc with two thirds of its speed") {

@@ -241,7 +241,7 @@ TEST_CASE("friction laws: what cannot be is refused by name, value and range") {
 }
 
 TEST_CASE("friction laws: of the catalogue each is described, and mu_static is mu unless given") {
-  CHECK(friction_catalog().size() == 8);
+  CHECK(friction_catalog().size() == 9);
   for (const FrictionNote& note : friction_catalog()) {
     INFO(note.name);
     CHECK(!note.title.empty());

@@ -6,6 +6,11 @@
 #include <random>
 #include <vector>
 
+#include <yoke/contact/disc_on_curve.hpp>
+#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/integrators/formulations/equations/baumgarte_equations.hpp>
 #include <yoke/integrators/formulations/equations/ggl_equations.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
@@ -71,22 +76,25 @@ void check_matrix(DaeEquations& equations, const SparseMatrix& matrix, const Sta
 void check_ggl(const Model& model, const State& state, const std::vector<int>& dropped = {}) {
   System system(model);
   system.bind(state);
-  system.drop_rows(dropped);
+  system.leave_out(dropped);
   GglEquations equations(system);
   check_matrix(equations, equations.matrix(), state, [](int, int) { return false; });
 }
 
-/// Without velocities the whole matrix is exact; with them, all but d(convective term)/dq.
+/// Without velocities the whole matrix is exact; with them, all but d(convective term)/dq; and
+/// of friction that holds, /dv.
 void check_baumgarte(const Model& model, State state, const std::vector<int>& dropped = {}) {
   for (const bool moving : {true, false}) {
     INFO(moving);
     System system(model);
     system.bind(state);
-    system.drop_rows(dropped);
+    system.leave_out(dropped);
     BaumgarteEquations equations(system, {.alpha = 31.0, .beta = 17.0});
     if (!moving) state.v.setZero();
     check_matrix(equations, equations.matrix(), state, [&](int row, int column) {
-      return moving && row >= equations.lambda() && column < equations.v();
+      const bool no_gradient = system.is_of_velocity_level(row - equations.lambda());
+      return moving && row >= equations.lambda() &&
+             column < (no_gradient ? equations.z() : equations.v());
     });
   }
 }
@@ -120,6 +128,35 @@ TEST_CASE("iteration matrices are the derivatives of the residuals: contact, spr
   check_baumgarte(model, state);
 }
 
+TEST_CASE(
+    "iteration matrices are the derivatives of the residuals: friction that holds, slides, is apart") {
+  Model model;
+  const BodyId disc = model.add(
+      Body{.name = "disc", .mass = 0.3, .inertia = 2e-4, .pose = {{0.0, 0.05 - 2e-3}, 0.3}});
+  const BodyId table =
+      model.add(Body{.name = "table", .mass = 1.7, .inertia = 4e-3, .pose = {{0.1, -0.02}, 0.02}});
+  model.add(Revolute{.name = "hinge", .a = ground, .b = table, .at = {0.3, 0.0}});
+  model.add(DiscOnCurve{.name = "floor",
+                        .disc = {disc, {0.0, 0.05 - 2e-3}, 0.05},
+                        .body = table,
+                        .curve = straight_line({0.0, 0.0}, {1.0, 0.0}),
+                        .law = ContactLaw{PowerLaw{1e6, 1.5}, HuntCrossley{0.4}, Coulomb{0.3, 0.4}},
+                        .surface_speed = 0.2,
+                        .reference_force = 10.0});
+  State state = model.start_state();
+  state.v << 0.3, -0.01, 7.0, 0.2, 0.1, -0.3;
+  state.contacts[0].phase = ContactPhase::compressing;
+  for (const Grip grip : {Grip::held, Grip::carried, Grip::forward, Grip::backward}) {
+    INFO(static_cast<int>(grip));
+    state.contacts[0].grip = grip;
+    check_ggl(model, state);
+    check_baumgarte(model, state);
+  }
+  state.contacts[0] = {};
+  check_ggl(model, state);
+  check_baumgarte(model, state);
+}
+
 TEST_CASE("equations that the system has dropped leave the matrices exact and regular") {
   Model model = double_pendulum();  // the second pivot repeats the first
   const BodyId a = model.find_body("a");
@@ -134,7 +171,7 @@ TEST_CASE("equations that the system has dropped leave the matrices exact and re
   System system(model);
   system.bind(state);
   GglEquations redundant(system);
-  system.drop_rows(dropped);
+  system.leave_out(dropped);
   GglEquations equations(system);
   std::vector<double> y(static_cast<std::size_t>(equations.size()), 0.1);
   for (const double shift : {1e1, 1e7}) {
