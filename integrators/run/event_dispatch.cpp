@@ -2,16 +2,44 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/event_dispatch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include <yoke/core/error.hpp>
+
 namespace yoke {
+
+namespace {
+
+constexpr std::size_t most_consequences = 100;  // of blows at one instant
+
+}  // namespace
 
 ElementEvents::ElementEvents(Dynamics& dynamics, State& state, Result& result, StopRun stop)
     : dynamics_(dynamics),
       state_(state),
       result_(result),
       stop_(std::move(stop)),
-      contacts_before_(state.contacts) {}
+      contacts_before_(state.contacts),
+      g_(static_cast<std::size_t>(dynamics.system().events()), 0.0) {
+  fired_.reserve(g_.size() + most_consequences + 1);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const System& system = dynamics.system();
+  for (const ForceSlot& slot : system.forces()) {
+    const std::vector<Parameter> own = slot.element->parameters();
+    own_parameters_.push_back(own.size());
+    parameters_.insert(parameters_.end(), own.begin(), own.end());
+  }
+  if (parameters_.size() != state.parameters.size()) return;
+  parameters_before_ = state.parameters;
+  const Motion start{.t = state.t, .bodies = {}, .inertia = {}};
+  for (const ForceSlot& slot : system.forces())
+    if (slot.element->next_sample(
+            {.motion = start, .parameters = state.parameters.data() + slot.parameters}) < never)
+      sampled_.push_back(&slot);
+}
 
 EventContext ElementEvents::context_of(const ForceSlot& slot) {
   System& system = dynamics_.system();
@@ -52,7 +80,10 @@ EventContext ElementEvents::context_of(const ForceSlot& slot) {
       .parameter = [this](std::string_view name) -> double& {
         parameters_changed_ = true;
         return state_.parameters[dynamics_.system().model().find_parameter(name)];
-      }};
+      },
+      .parameters = state_.parameters.data(),
+      .impulse = [this](BodyId body, const Vec2& impulse,
+                        double angular) { strike(body, impulse, angular); }};
 }
 
 void ElementEvents::initialise_contacts() {
@@ -63,17 +94,31 @@ void ElementEvents::initialise_contacts() {
   }
 }
 
-void ElementEvents::handle(const std::vector<int>& fired) {
+void ElementEvents::begin() {
   contacts_before_ = state_.contacts;
-  parameters_changed_ = false;
+  parameters_changed_ = stiffness_changed_ = velocities_changed_ = struck_ = loads_only_ = false;
+}
+
+void ElementEvents::handle(const std::vector<int>& fired) {
+  begin();
   state_.handled.clear();
   state_.handled_at = state_.t;
-  for (const int event : fired) {
+  // A blow may take more of them across zero, which are handled too, and may strike in turn.
+  fired_ = fired;
+  for (std::size_t i = 0; i < fired_.size(); ++i) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
-      if (event < slot.events || event >= slot.events + slot.element->events()) continue;
-      handle_one(slot, event - slot.events);
+      const int event = fired_[i] - slot.events;
+      if (event < 0 || event >= slot.element->events()) continue;
+      handle_one(slot, event);
     }
+    if (fired_.size() <= fired.size() + most_consequences) continue;
+    stop_(Stop::failed,
+          fmt::format("events at t = {:.9g} s strike one another without end; the last "
+                      "is of '{}'",
+                      state_.t, result_.events.back().element));
+    break;
   }
+  stiffness_changed_ = parameters_changed_;
 }
 
 void ElementEvents::handle_one(const ForceSlot& slot, int event) {
@@ -82,13 +127,101 @@ void ElementEvents::handle_one(const ForceSlot& slot, int event) {
   const EnergyTerms before = dynamics_.system().calc_energy();
   slot.element->handle_event(event, context);
   if (parameters_changed_) dynamics_.system().model().check_parameters(state_.parameters);
-  if (!parameters_changed_ || slot.supplied < 0) return;
+  const bool struck = struck_;
+  if (struck) follow_blow();
+  if (!(parameters_changed_ || struck) || slot.supplied < 0) return;
   const EnergyTerms after = dynamics_.system().calc_energy();
   state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
+  if (struck) state_.energy[slot.supplied] += after.kinetic - before.kinetic;
+}
+
+void ElementEvents::strike(BodyId body, const Vec2& impulse, double angular) {
+  System& system = dynamics_.system();
+  const Body& struck = system.model().body(body);
+  const std::string owner = fmt::format("impulse on '{}'", struck.name);
+  require_finite(owner, "x", impulse.x());
+  require_finite(owner, "y", impulse.y());
+  require_finite(owner, "angular", angular);
+  if (body == ground) throw ModelError(owner + ": the ground does not move");
+  if (!impulse.isZero(0.0)) require_positive(owner, "mass", struck.mass, "kg");
+  if (angular != 0.0) require_positive(owner, "inertia", struck.inertia, "kg m^2");
+  if (!struck_) system.calc_events(g_.data());
+  struck_ = velocities_changed_ = true;
+  double* v = state_.v.data() + 3 * (body.index - 1);
+  if (!impulse.isZero(0.0)) v[0] += impulse.x() / struck.mass, v[1] += impulse.y() / struck.mass;
+  if (angular != 0.0) v[2] += angular / struck.inertia;
+}
+
+/// The projection in the metric of the masses gives M dv + G^T Lambda = impulse, G dv = 0.
+void ElementEvents::follow_blow() {
+  struck_ = false;
+  System& system = dynamics_.system();
+  if (!dynamics_.project_velocities(state_.t, state_.q.data(), state_.v.data()) ||
+      !dynamics_.calc_accelerations(state_)) {
+    stop_(Stop::failed,
+          fmt::format("the velocities after the blow at t = {:.9g} s are not finite", state_.t));
+    return;
+  }
+  g_before_ = g_;
+  system.calc_events(g_.data());
+  for (std::size_t i = 0; i < g_.size(); ++i)
+    if (g_before_[i] < 0.0 && g_[i] >= 0.0) fired_.push_back(static_cast<int>(i));
+}
+
+double ElementEvents::next_sample() const {
+  double next = std::numeric_limits<double>::infinity();
+  if (sampled_.empty()) return next;
+  System& system = dynamics_.system();
+  system.set_motion(state_.t, state_.q.data(), state_.v.data());
+  for (const ForceSlot* slot : sampled_)
+    next = std::min(next, slot->element->next_sample(system.force_input(*slot)));
+  return next;
+}
+
+void ElementEvents::take_samples(double t) {
+  begin();
+  fired_.clear();
+  for (const ForceSlot* slot : sampled_) {
+    if (slot->element->next_sample(dynamics_.system().force_input(*slot)) > t) continue;
+    parameters_before_ = state_.parameters;
+    EventContext context = context_of(*slot);
+    slot->element->sample(context);
+    if (struck_) follow_blow();
+    book_parameters(*slot);
+  }
+  loads_only_ = parameters_changed_ && !stiffness_changed_ && !velocities_changed_;
+}
+
+/// What a sample has changed; its own parameters matter to nobody else.
+void ElementEvents::book_parameters(const ForceSlot& by) {
+  const auto own = static_cast<std::size_t>(by.parameters);
+  const std::size_t behind =
+      own + own_parameters_[static_cast<std::size_t>(&by - dynamics_.system().forces().data())];
+  bool stores = false;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const double value = state_.parameters[i];
+    if (value == parameters_before_[i] || (i >= own && i < behind)) continue;
+    const Parameter& p = parameters_[i];
+    if (!(value >= p.low && value <= p.high) || !std::isfinite(value))
+      dynamics_.system().model().check_parameters(state_.parameters);
+    parameters_changed_ = true;
+    stores = stores || !p.load;
+  }
+  if (!stores) return;
+  stiffness_changed_ = true;
+  const auto elastic = [&] {
+    const EnergyTerms energy = dynamics_.system().calc_energy();
+    return energy.potential + energy.stored;
+  };
+  const double after = elastic();
+  std::ranges::swap_ranges(parameters_before_, state_.parameters);
+  const double before = elastic();
+  std::ranges::swap_ranges(parameters_before_, state_.parameters);
+  if (by.supplied >= 0) state_.energy[by.supplied] += after - before;
 }
 
 bool ElementEvents::changed() const {
-  return parameters_changed_ || !(state_.contacts == contacts_before_);
+  return parameters_changed_ || velocities_changed_ || !(state_.contacts == contacts_before_);
 }
 
 }  // namespace yoke
