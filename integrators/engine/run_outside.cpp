@@ -123,9 +123,14 @@ void Run::restore(const Snapshot& s) {
     throw ModelError("restore: a run that writes checkpoints cannot be taken back");
   const FormulationEntry& entry = find_formulation(s.formulation);
   State state = s.state;
+  const std::vector<int> left_out = dynamics_.system().dropped_rows();
   dynamics_.leave_out(s.left_out);
   dynamics_.reset();
-  if (!dynamics_.project(state)) throw ModelError(not_projected("restored ", state.t));
+  if (!dynamics_.project(state)) {
+    dynamics_.leave_out(left_out);
+    dynamics_.system().bind(state_);
+    throw ModelError(not_projected("restored ", state.t));
+  }
   entry_ = entry;
   state_ = std::move(state);
   dynamics_.system().bind(state_);

@@ -94,18 +94,19 @@ Model controlled_crane() {
   return m;
 }
 
-// A hammer strikes the load each time it comes through the middle from the left, until it swings up
-// to the height of the hook.
+// A hammer strikes the load at 0.1 s, and each time it comes through the middle from the left, until
+// it swings up to the height of the hook.
 Model struck_crane() {
   Model m = crane();
   const BodyId carriage = m.find_body("carriage"), load = m.find_body("load");
+  const auto strike = [load](const EventAction& e) { e.impulse(load, {0.2, 0.0}, 0.0); };
+  m.add(EventFunction{.name = "first blow",
+                      .function = [](const Motion& at) { return at.t - 0.1; },
+                      .action = strike});
   m.add(EventFunction{.name = "hammer",
                       .function = [=](const Motion& at) { return at[load].x - at[carriage].x; },
                       .crossing = Crossing::upwards,
-                      .action =
-                          [load](const EventAction& e) {
-                            e.impulse(load, {0.2, 0.0}, 0.0);
-                          }});
+                      .action = strike});
   m.add(EventFunction{.name = "high",
                       .function = [=](const Motion& at) { return at[load].y - at[carriage].y; },
                       .crossing = Crossing::upwards,
