@@ -333,8 +333,7 @@ void Run::end() {
 }
 
 // A user's function may throw; the results so far are kept.
-template <class F>
-void Run::guarded(F f) {
+void Run::guarded(const std::function<void()>& f) {
   if (look_) look_->known = look_->recorded = false;
   try {
     f();

@@ -10,6 +10,7 @@
 // (`look_`), because the factors that those of the run reuse belong to its history.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,8 +85,7 @@ class Run {
   bool take_samples_due();
   bool reach_samples(double t, bool at_event);
   bool restart_at_sample(double t);
-  template <class F>
-  void guarded(F f);
+  void guarded(const std::function<void()>& f);
   bool observe(double t);
   void record_samples_up_to(double t, bool step_ends);
   void record_singular_position(const SingularPosition& position);
