@@ -48,8 +48,10 @@ class EventFunctionElement final : public ForceElement {
     for (const ParameterChange& change : event_.set)
       context.parameter(change.parameter) = change.value;
     if (event_.action)
-      event_.action(
-          {.motion = context.input.motion, .parameter = context.parameter, .stop = context.stop});
+      event_.action({.motion = context.input.motion,
+                     .parameter = context.parameter,
+                     .stop = context.stop,
+                     .impulse = context.impulse});
     if (event_.stop) context.stop();
   }
 

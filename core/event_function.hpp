@@ -9,8 +9,8 @@
 //                           half_pi; }, .set = {{"spring.stiffness", 200.0}}, .stop = true});
 //
 // Every crossing is recorded with kind "event" and its direction in the column of the region. A
-// jump of potential or stored energy that a changed parameter makes is counted as work of the
-// event, so the energy ledger remains balanced. An event that only records does not restart the
+// jump of potential or stored energy that a changed parameter makes, and of kinetic energy that a
+// blow makes, is counted as work of the event, so the energy ledger remains balanced. An event that only records does not restart the
 // integrator.
 #pragma once
 
@@ -33,13 +33,16 @@ struct ParameterChange {
   double value = 0.0;
 };
 
-/// What an action may do at the located state: read the motion, change parameters, end the run.
+/// What an action may do at the located state: read the motion, change parameters, strike, end the run.
 struct EventAction {
   const Motion& motion;
   /// A changeable parameter "element.name", to be read or changed. Throws ModelError.
   std::function<double&(std::string_view name)> parameter;
   /// Ends the run with Stop::by_event.
   std::function<void()> stop;
+  /// A blow: an impulse [N s] at the centre of a body and an angular impulse [N m s]. Velocities
+  /// change at once, those of all bodies that joints connect; `motion` is still that before.
+  std::function<void(BodyId body, const Vec2& impulse, double angular)> impulse;
 };
 
 struct EventFunction {

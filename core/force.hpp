@@ -30,6 +30,7 @@ struct Parameter {
   double value = 0.0;
   double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
   double high = std::numeric_limits<double>::infinity();
+  bool load = false;  // a force that depends on no motion and stores no energy
 };
 
 /// A quantity an element reports at every output sample. `labels` not empty: the value is an index
@@ -118,6 +119,12 @@ struct EventContext {
   /// A changeable parameter "element.name" of any element. Throws ModelError. A jump of energy that
   /// its change makes is counted as work of this element, if it supplies().
   std::function<double&(std::string_view)> parameter{};
+  double* parameters = nullptr;  // State::parameters, for sample() alone
+  /// Adds the impulse [N s] at the centre of a body and the angular impulse [N m s]. The velocities
+  /// that follow are those the joints allow; what contacts and other events see of the jump they are
+  /// told at once. The kinetic energy is counted as work of this element, if it supplies(). Throws
+  /// ModelError for the ground, a body without mass or inertia to take it, and what is not finite.
+  std::function<void(BodyId, const Vec2& impulse, double angular)> impulse{};
 };
 
 /// What the force of an element depends on; determines the sparsity pattern.
@@ -166,6 +173,13 @@ class ForceElement {
   /// at neither end. For elements with contacts only while these are apart, when nothing else keeps
   /// steps short.
   virtual bool may_hide(int /*slot*/) const { return contacts() == 0; }
+  /// [s] When sample() is to be called next, from in.motion.t on; infinity: never.
+  virtual double next_sample(const ForceInput&) const {
+    return std::numeric_limits<double>::infinity();
+  }
+  /// Called exactly then, at the end of a step, once next_sample() has come; what it does must move
+  /// next_sample() on. Parameters are changed through EventContext::parameters. Must not allocate.
+  virtual void sample(EventContext&) const {}
   /// Distinguishes elements of one kind whose evaluate() returns the same; part of the fingerprint
   /// of a model.
   virtual std::string signature() const { return {}; }

@@ -201,19 +201,39 @@ State Model::start_state() const {
   return state;
 }
 
-std::size_t Model::find_parameter(std::string_view name) const {
+std::optional<std::size_t> Model::parameter_index(std::string_view name) const {
   std::size_t index = 0;
-  std::string known;
   for (const auto& f : forces_) {
+    const bool owner =
+        name.starts_with(f->name()) && name.substr(f->name().size()).starts_with(".");
     for (const Parameter& p : f->parameters()) {
-      const std::string full = f->name() + "." + p.name;
-      if (full == name) return index;
-      known += (known.empty() ? "'" : ", '") + full + "'";
+      if (owner && name.substr(f->name().size() + 1) == p.name) return index;
       ++index;
     }
   }
-  throw ModelError(fmt::format("unknown parameter '{}': the model has {}", name,
-                               known.empty() ? "no changeable parameters" : known));
+  return std::nullopt;
+}
+
+std::size_t Model::find_parameter(std::string_view name) const {
+  if (const auto index = parameter_index(name)) return *index;
+  throw ModelError(unknown_parameter(name));
+}
+
+Parameter Model::parameter(std::size_t index) const {
+  std::size_t i = index;
+  for (const auto& f : forces_)
+    for (const Parameter& p : f->parameters())
+      if (i-- == 0) return p;
+  throw ModelError(fmt::format("unknown parameter {}: the model has {}", index, index - i));
+}
+
+std::string Model::unknown_parameter(std::string_view name) const {
+  std::string known;
+  for (const auto& f : forces_)
+    for (const Parameter& p : f->parameters())
+      known += (known.empty() ? "'" : ", '") + f->name() + "." + p.name + "'";
+  return fmt::format("unknown parameter '{}': the model has {}", name,
+                     known.empty() ? "no changeable parameters" : known);
 }
 
 void Model::check_parameter(std::string_view owner, std::string_view name, double value) const {

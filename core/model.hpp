@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -78,7 +79,13 @@ class Model {
 
   /// The state the bodies were described in: not yet assembled, z and parameters at their defaults.
   State start_state() const;
-  /// Index into State::parameters of "element.parameter". Throws ModelError.
+  /// Index into State::parameters of "element.parameter", if there is such a parameter.
+  std::optional<std::size_t> parameter_index(std::string_view name) const;
+  /// The parameter of this index. Throws ModelError.
+  Parameter parameter(std::size_t index) const;
+  /// For messages: that there is none of this name, and which there are.
+  std::string unknown_parameter(std::string_view name) const;
+  /// As parameter_index(). Throws ModelError that lists the parameters there are.
   std::size_t find_parameter(std::string_view name) const;
   /// Throws ModelError, in the name of `owner`, unless "element.parameter" may have this value.
   void check_parameter(std::string_view owner, std::string_view name, double value) const;

@@ -119,6 +119,11 @@ double* Table::append() {
   return data_.data() + (rows_ - 1) * names_.size();
 }
 
+void Table::keep(std::size_t n) {
+  data_.resize(n * names_.size());
+  rows_ = n;
+}
+
 bool Table::has(std::string_view name) const {
   return std::ranges::find(names_, name) != names_.end();
 }
@@ -126,12 +131,15 @@ bool Table::has(std::string_view name) const {
 std::size_t Table::index(std::string_view name) const {
   const auto found = std::ranges::find(names_, name);
   if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+  throw ModelError(fmt::format("unknown column '{}'; {}", name, nearest(name)));
+}
+
+std::string Table::nearest(std::string_view name) const {
   const std::string_view owner = name.substr(0, name.find('.'));
   std::string near;
   for (const std::string& n : names_)
-    if (n.starts_with(owner)) near += (near.empty() ? "'" : ", '") + n + "'";
-  throw ModelError(fmt::format("unknown column '{}'; {}", name,
-                               near.empty() ? "no column starts like it" : "there are " + near));
+    if (n.starts_with(owner)) near += (near.empty() ? "there are '" : ", '") + n + "'";
+  return near.empty() ? "no column starts like it" : near;
 }
 
 Eigen::VectorXd Table::operator[](std::string_view name) const {

@@ -26,6 +26,9 @@ class Table {
   /// Appends a row of zeros and returns it; valid until the next call.
   double* append();
 
+  /// Keeps the first rows; n <= rows().
+  void keep(std::size_t n);
+
   std::size_t rows() const { return rows_; }
   /// All numbers, row after row.
   const std::vector<double>& data() const { return data_; }
@@ -37,6 +40,8 @@ class Table {
     return data_[row * names_.size() + column];
   }
   std::size_t index(std::string_view name) const;
+  /// For messages: the names that begin like this one up to its dot.
+  std::string nearest(std::string_view name) const;
   /// Labels of a column, empty if it holds numbers.
   const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
   /// A table of the same columns with rows 0, n, 2 n, ...; n >= 1.

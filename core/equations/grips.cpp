@@ -102,7 +102,7 @@ class Settlement {
       Sum speed = product(system_, f, c.row, state_.v);
       speed.add(c.row.drift);
       const double slowest = 2.0 * slowest_sliding(system_.scales(), speed.size);
-      if (!c.broke && std::abs(speed.value) > slowest) return;  // it slides
+      if (std::abs(speed.value) > slowest) return;  // it slides
       c.rests = !c.broke;
     }
     candidates_.push_back(std::move(c));
@@ -201,6 +201,29 @@ class Settlement {
 Outcome settle_grips(Dynamics& dynamics, State& state, std::span<const ContactMemory> before) {
   if (dynamics.system().holds().empty()) return {};
   return Settlement(dynamics, state, before).settle();
+}
+
+bool let_go_of_grips(Dynamics& dynamics, State& state) {
+  System& system = dynamics.system();
+  std::vector<const ForceSlot*> rested;
+  for (const ConstraintSlot& hold : system.holds()) {
+    const ForceSlot& f = system.forces()[at(hold.hold)];
+    Grip& grip = state.contacts[at(f.contacts)].grip;
+    if (!rests(grip)) continue;
+    grip = Grip::undecided;
+    rested.push_back(&f);
+  }
+  system.bind(state);
+  if (!dynamics.project_velocities(state.t, state.q.data(), state.v.data())) return false;
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  for (const ForceSlot* f : rested) {
+    const Row row = row_of(system, *f);
+    Sum speed = product(system, *f, row, state.v);
+    speed.add(row.drift);
+    if (std::abs(speed.value) <= slowest_sliding(system.scales(), speed.size)) continue;
+    state.contacts[at(f->contacts)].grip = speed.value > 0.0 ? Grip::forward : Grip::backward;
+  }
+  return true;
 }
 
 bool Dynamics::calc_events(const Instant& instant, double* g) {

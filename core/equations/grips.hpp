@@ -30,4 +30,8 @@ namespace yoke {
 /// consistent; `why` names the elements.
 Outcome settle_grips(Dynamics& dynamics, State& state, std::span<const ContactMemory> before);
 
+/// Projects the velocities of `state` after a blow, which friction, of a finite force, cannot hold: what
+/// rested and moves now slides. To be settled afterwards. False: not finite.
+bool let_go_of_grips(Dynamics& dynamics, State& state);
+
 }  // namespace yoke

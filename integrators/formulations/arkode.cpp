@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace yoke {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int max_error_test_failures = 30;
 constexpr ARKODE_ERKTableID tableau = ARKODE_DORMAND_PRINCE_7_4_5;
+constexpr double stretch = 1.25;  // ARKODE leaves a step that could grow by up to 1.5 as it is
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
 
@@ -34,13 +36,18 @@ class Arkode final : public SundialsStepper {
   double last_step() const override;
   void interpolate(double t, State& state) override;
   void glance(double t, State& state) override;
+  void look(double t, State& state, Dynamics& equations) override;
+  void restart(const State& state) override;
   StepCounters counters() const override;
 
  private:
   static int rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self);
   static int project(sunrealtype t, N_Vector y, void* self);
   static int events(sunrealtype t, N_Vector y, sunrealtype* g, void* self);
-  bool calc_rates(double t, const double* y, double* y_dot) override;
+  bool calc_rates(double t, const double* y, double* y_dot) override {
+    return calc_rates(dynamics_, t, y, y_dot);
+  }
+  bool calc_rates(Dynamics& equations, double t, const double* y, double* y_dot);
   bool project(double t, double* y);
   void create(double t);
   void rebase();
@@ -49,7 +56,11 @@ class Arkode final : public SundialsStepper {
   Baumgarte stabilisation_;
   void* memory_ = nullptr;
   std::vector<double> before_projection_;
+  std::optional<OwnStep> look_step_;  // of looks, with the equations they were given last
+  Dynamics* looking_ = nullptr;
   bool base_is_far_ = false;
+  bool goes_on_ = false;       // behind a restart with the step size there was
+  double natural_step_ = 0.0;  // [s] the last one that no stop has cut short
 };
 
 Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
@@ -85,14 +96,27 @@ void Arkode::start(const State& state) {
   t_stop_ = t_;  // not set yet
   end_step();
   base_is_far_ = false;
+  natural_step_ = 0.0;
+  goes_on_ = false;
   guard_.start(state);
   if (memory_ == nullptr) {
     create(state.t);
   } else {
     before_ = counters();
     ERKStepReInit(memory_, &Arkode::rates, state.t, y_);
+    ARKodeSetInitStep(memory_, 0.0);  // it chooses
   }
   set_weights();
+}
+
+// The first step is the one that would have been next, had it not been for the stop; or, as steps
+// that could be this much longer are not made longer, so long that the last to the next stop is as
+// long as the others.
+void Arkode::restart(const State& state) {
+  const double h = natural_step_;
+  start(state);
+  natural_step_ = h;
+  goes_on_ = h > 0.0;
 }
 
 // Before a step, when nobody asks for the last one any more.
@@ -111,6 +135,11 @@ Step Arkode::step(double t_stop) {
     ARKodeSetStopTime(memory_, t_stop);
     t_stop_ = t_stop;
   }
+  if (goes_on_) {
+    goes_on_ = false;
+    const double rest = t_stop - t_;
+    ARKodeSetInitStep(memory_, rest / std::ceil(rest / (stretch * natural_step_)));
+  }
   begin_step();
   const int flag = ARKodeEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
   if (flag < 0) {
@@ -128,6 +157,9 @@ Step Arkode::step(double t_stop) {
     collect_events();
     return Step::event;
   }
+  const double made = t_ - t_begin_;
+  if (t_ < t_stop) ARKodeGetCurrentStep(memory_, &natural_step_);
+  natural_step_ = std::max(natural_step_, made);
   accept_step();
   base_is_far_ = is_far_from_base();
   return Step::advanced;
@@ -145,6 +177,18 @@ void Arkode::interpolate(double t, State& state) {
   } else if (!own_step_.to(t, y())) {
     ARKodeGetDky(memory_, t, 0, y_);
   }
+  unpack(t, state);
+}
+
+void Arkode::look(double t, State& state, Dynamics& equations) {
+  if (t == t_end_) return interpolate(t, state);
+  looking_ = &equations;
+  if (!look_step_)
+    look_step_.emplace(size_, [this](double at, const double* y, double* y_dot) {
+      return calc_rates(*looking_, at, y, y_dot);
+    });
+  look_step_->from(t_begin_, begin_.data());
+  if (!look_step_->to(t, y())) ARKodeGetDky(memory_, t, 0, y_);
   unpack(t, state);
 }
 
@@ -181,9 +225,9 @@ int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
   });
 }
 
-bool Arkode::calc_rates(double t, const double* y, double* y_dot) {
+bool Arkode::calc_rates(Dynamics& equations, double t, const double* y, double* y_dot) {
   std::copy_n(y + n_, n_, y_dot);
-  return dynamics_.calc_accelerations(
+  return equations.calc_accelerations(
       {.t = t, .q = q_of(y), .v = v_of(y), .z = z_of(y)},
       {.a = y_dot + n_, .z_dot = y_dot + 2 * n_, .quadrature_rates = y_dot + 2 * n_ + nz_},
       projects_ ? nullptr : &stabilisation_);

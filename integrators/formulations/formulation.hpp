@@ -59,6 +59,9 @@ class Formulation {
   virtual ~Formulation() = default;
   /// Starts or restarts at a consistent state; the history is discarded.
   virtual void start(const State& state) = 0;
+  /// As start(), where only loads have changed, as after a controller's sample: what is known of the
+  /// step size stays.
+  virtual void restart(const State& state) { start(state); }
   /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired(); the
   /// caller may restart there or simply continue.
   virtual Step step(double t_stop) = 0;
@@ -69,6 +72,9 @@ class Formulation {
   /// The same for looks into the last step: it may be less accurate, but asks for no evaluation of
   /// the equations of motion.
   virtual void glance(double t, State& state) { interpolate(t, state); }
+  /// As interpolate(), but leaves no trace: equations of motion are evaluated by `equations`, which is
+  /// bound to `state`, and not with the factors that the next step may use again.
+  virtual void look(double t, State& state, Dynamics& /*equations*/) { interpolate(t, state); }
   /// Event slots that crossed zero upwards at time(), and those that were found to have crossed by
   /// then, at that time or earlier in the step.
   virtual const std::vector<int>& fired() const = 0;

@@ -3,18 +3,44 @@
 #include <yoke/integrators/run/event_dispatch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <yoke/core/equations/grips.hpp>
+#include <yoke/core/error.hpp>
 
 namespace yoke {
+
+namespace {
+
+constexpr std::size_t most_consequences = 100;  // of blows at one instant
+
+}  // namespace
 
 ElementEvents::ElementEvents(Dynamics& dynamics, State& state, Result& result, StopRun stop)
     : dynamics_(dynamics),
       state_(state),
       result_(result),
       stop_(std::move(stop)),
-      contacts_before_(state.contacts) {}
+      contacts_before_(state.contacts),
+      g_(static_cast<std::size_t>(dynamics.system().events()), 0.0) {
+  fired_.reserve(g_.size() + most_consequences + 1);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const System& system = dynamics.system();
+  for (const ForceSlot& slot : system.forces()) {
+    const std::vector<Parameter> own = slot.element->parameters();
+    own_parameters_.push_back(own.size());
+    parameters_.insert(parameters_.end(), own.begin(), own.end());
+  }
+  if (parameters_.size() != state.parameters.size()) return;
+  parameters_before_ = state.parameters;
+  const Motion start{.t = state.t, .bodies = {}, .inertia = {}};
+  for (const ForceSlot& slot : system.forces())
+    if (slot.element->next_sample(
+            {.motion = start, .parameters = state.parameters.data() + slot.parameters}) < never)
+      sampled_.push_back(&slot);
+}
 
 EventContext ElementEvents::context_of(const ForceSlot& slot) {
   System& system = dynamics_.system();
@@ -22,39 +48,43 @@ EventContext ElementEvents::context_of(const ForceSlot& slot) {
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system.dof()[static_cast<std::size_t>(slot.dofs + j)]; dof >= 0)
       local_acceleration_[static_cast<std::size_t>(j)] = state_.a[dof];
-  return {.input = system.force_input(slot),
-          .contact = state_.contacts.data() + slot.contacts,
-          .z = state_.z.data() + slot.z,
-          .effective_mass = [this,
-                             &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
-          .acceleration = local_acceleration_.data(),
-          .dissipate =
-              [this, &slot](double joules) {
-                if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
-              },
-          .record =
-              [this, &slot](EventRecord record) {
-                record.t = state_.t;
-                record.element = slot.element->name();
-                result_.events.push_back(std::move(record));
-              },
-          .fail =
-              [this, &slot](std::string reason) {
-                stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
-              },
-          .stop =
-              [this, &slot] {
-                stop_(Stop::by_event,
-                      fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
-              },
-          .note =
-              [this, &slot](std::string text) {
-                add_note(fmt::format("'{}': {}", slot.element->name(), text));
-              },
-          .parameter = [this](std::string_view name) -> double& {
-            parameters_changed_ = true;
-            return state_.parameters[dynamics_.system().model().find_parameter(name)];
-          }};
+  return {
+      .input = system.force_input(slot),
+      .contact = state_.contacts.data() + slot.contacts,
+      .z = state_.z.data() + slot.z,
+      .effective_mass = [this,
+                         &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
+      .acceleration = local_acceleration_.data(),
+      .dissipate =
+          [this, &slot](double joules) {
+            if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+          },
+      .record =
+          [this, &slot](EventRecord record) {
+            record.t = state_.t;
+            record.element = slot.element->name();
+            result_.events.push_back(std::move(record));
+          },
+      .fail =
+          [this, &slot](std::string reason) {
+            stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
+          },
+      .stop =
+          [this, &slot] {
+            stop_(Stop::by_event,
+                  fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
+          },
+      .note =
+          [this, &slot](std::string text) {
+            add_note(fmt::format("'{}': {}", slot.element->name(), text));
+          },
+      .parameter = [this](std::string_view name) -> double& {
+        parameters_changed_ = true;
+        return state_.parameters[dynamics_.system().model().find_parameter(name)];
+      },
+      .parameters = state_.parameters.data(),
+      .impulse = [this](BodyId body, const Vec2& impulse,
+                        double angular) { strike(body, impulse, angular); }};
 }
 
 /// What an element says again and again is noted a few times only.
@@ -76,6 +106,11 @@ void ElementEvents::initialise_contacts() {
   settle_grips();
 }
 
+void ElementEvents::settle() {
+  begin();
+  settle_grips();
+}
+
 /// Which friction holds is a matter of all contacts together.
 void ElementEvents::settle_grips() {
   System& system = dynamics_.system();
@@ -91,18 +126,32 @@ void ElementEvents::settle_grips() {
   }
 }
 
-void ElementEvents::handle(const std::vector<int>& fired) {
+void ElementEvents::begin() {
   contacts_before_ = state_.contacts;
-  parameters_changed_ = false;
+  parameters_changed_ = stiffness_changed_ = velocities_changed_ = struck_ = loads_only_ = false;
+}
+
+void ElementEvents::handle(const std::vector<int>& fired) {
+  begin();
   state_.handled.clear();
   state_.handled_at = state_.t;
   if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state_.lambda.data());
-  for (const int event : fired) {
+  // A blow may take more of them across zero, which are handled too, and may strike in turn.
+  fired_ = fired;
+  for (std::size_t i = 0; i < fired_.size(); ++i) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
-      if (event < slot.events || event >= slot.events + slot.element->events()) continue;
-      handle_one(slot, event - slot.events);
+      const int event = fired_[i] - slot.events;
+      if (event < 0 || event >= slot.element->events()) continue;
+      handle_one(slot, event);
     }
+    if (fired_.size() <= fired.size() + most_consequences) continue;
+    stop_(Stop::failed,
+          fmt::format("events at t = {:.9g} s strike one another without end; the last "
+                      "is of '{}'",
+                      state_.t, result_.events.back().element));
+    break;
   }
+  stiffness_changed_ = parameters_changed_;
   if (changed()) settle_grips();
 }
 
@@ -112,13 +161,102 @@ void ElementEvents::handle_one(const ForceSlot& slot, int event) {
   const EnergyTerms before = dynamics_.system().calc_energy();
   slot.element->handle_event(event, context);
   if (parameters_changed_) dynamics_.system().model().check_parameters(state_.parameters);
-  if (!parameters_changed_ || slot.supplied < 0) return;
+  const bool struck = struck_;
+  if (struck) follow_blow();
+  if (!(parameters_changed_ || struck) || slot.supplied < 0) return;
   const EnergyTerms after = dynamics_.system().calc_energy();
   state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
+  if (struck) state_.energy[slot.supplied] += after.kinetic - before.kinetic;
+}
+
+void ElementEvents::strike(BodyId body, const Vec2& impulse, double angular) {
+  System& system = dynamics_.system();
+  const Body& struck = system.model().body(body);
+  const std::string owner = fmt::format("impulse on '{}'", struck.name);
+  require_finite(owner, "x", impulse.x());
+  require_finite(owner, "y", impulse.y());
+  require_finite(owner, "angular", angular);
+  if (body == ground) throw ModelError(owner + ": the ground does not move");
+  if (!impulse.isZero(0.0)) require_positive(owner, "mass", struck.mass, "kg");
+  if (angular != 0.0) require_positive(owner, "inertia", struck.inertia, "kg m^2");
+  if (!struck_) system.calc_events(g_.data());
+  struck_ = velocities_changed_ = true;
+  double* v = state_.v.data() + 3 * (body.index - 1);
+  if (!impulse.isZero(0.0)) v[0] += impulse.x() / struck.mass, v[1] += impulse.y() / struck.mass;
+  if (angular != 0.0) v[2] += angular / struck.inertia;
+}
+
+/// The projection in the metric of the masses gives M dv + G^T Lambda = impulse, G dv = 0.
+void ElementEvents::follow_blow() {
+  struck_ = false;
+  System& system = dynamics_.system();
+  if (!let_go_of_grips(dynamics_, state_) || !dynamics_.calc_accelerations(state_)) {
+    stop_(Stop::failed,
+          fmt::format("the velocities after the blow at t = {:.9g} s are not finite", state_.t));
+    return;
+  }
+  g_before_ = g_;
+  system.calc_events(g_.data());
+  for (std::size_t i = 0; i < g_.size(); ++i)
+    if (g_before_[i] < 0.0 && g_[i] >= 0.0) fired_.push_back(static_cast<int>(i));
+}
+
+double ElementEvents::next_sample() const {
+  double next = std::numeric_limits<double>::infinity();
+  if (sampled_.empty()) return next;
+  System& system = dynamics_.system();
+  system.set_motion(state_.t, state_.q.data(), state_.v.data());
+  for (const ForceSlot* slot : sampled_)
+    next = std::min(next, slot->element->next_sample(system.force_input(*slot)));
+  return next;
+}
+
+void ElementEvents::take_samples(double t) {
+  begin();
+  fired_.clear();
+  for (const ForceSlot* slot : sampled_) {
+    if (slot->element->next_sample(dynamics_.system().force_input(*slot)) > t) continue;
+    parameters_before_ = state_.parameters;
+    EventContext context = context_of(*slot);
+    slot->element->sample(context);
+    if (struck_) follow_blow();
+    book_parameters(*slot);
+  }
+  if (changed()) settle_grips();
+  loads_only_ = parameters_changed_ && !stiffness_changed_ && !velocities_changed_ &&
+                state_.contacts == contacts_before_;
+}
+
+/// What a sample has changed; its own parameters matter to nobody else.
+void ElementEvents::book_parameters(const ForceSlot& by) {
+  const auto own = static_cast<std::size_t>(by.parameters);
+  const std::size_t behind =
+      own + own_parameters_[static_cast<std::size_t>(&by - dynamics_.system().forces().data())];
+  bool stores = false;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const double value = state_.parameters[i];
+    if (value == parameters_before_[i] || (i >= own && i < behind)) continue;
+    const Parameter& p = parameters_[i];
+    if (!(value >= p.low && value <= p.high) || !std::isfinite(value))
+      dynamics_.system().model().check_parameters(state_.parameters);
+    parameters_changed_ = true;
+    stores = stores || !p.load;
+  }
+  if (!stores) return;
+  stiffness_changed_ = true;
+  const auto elastic = [&] {
+    const EnergyTerms energy = dynamics_.system().calc_energy();
+    return energy.potential + energy.stored;
+  };
+  const double after = elastic();
+  std::ranges::swap_ranges(parameters_before_, state_.parameters);
+  const double before = elastic();
+  std::ranges::swap_ranges(parameters_before_, state_.parameters);
+  if (by.supplied >= 0) state_.energy[by.supplied] += after - before;
 }
 
 bool ElementEvents::changed() const {
-  return parameters_changed_ || !(state_.contacts == contacts_before_);
+  return parameters_changed_ || velocities_changed_ || !(state_.contacts == contacts_before_);
 }
 
 }  // namespace yoke

@@ -24,15 +24,29 @@ class ElementEvents {
   void initialise_contacts();
   /// Event slots that fired at the state, which is projected and has its accelerations.
   void handle(const std::vector<int>& fired);
-  /// Whether the last handle() changed a contact's memory or a parameter.
+  /// [s] When the next sample of a controller is due, from the state on; infinity: never.
+  double next_sample() const;
+  /// Takes the samples that are due until `t` [s], at the state, which is as for handle().
+  void take_samples(double t);
+  /// Settles which friction holds, after a change from outside at the state, which is as for handle().
+  void settle();
+  /// Whether the last handle() or take_samples() changed a contact's memory, a velocity or a
+  /// parameter that others read.
   bool changed() const;
-  bool parameters_changed() const { return parameters_changed_; }
+  /// And whether that may have changed how stiff the model is.
+  bool stiffness_changed() const { return stiffness_changed_; }
+  /// Or only loads: nothing else has happened at this time.
+  bool loads_only() const { return loads_only_; }
 
  private:
   EventContext context_of(const ForceSlot& slot);
   void settle_grips();
   void add_note(const std::string& note);
   void handle_one(const ForceSlot& slot, int event);
+  void begin();
+  void strike(BodyId body, const Vec2& impulse, double angular);
+  void follow_blow();
+  void book_parameters(const ForceSlot& by);
 
   Dynamics& dynamics_;
   State& state_;
@@ -40,7 +54,14 @@ class ElementEvents {
   StopRun stop_;
   std::vector<double> local_acceleration_;
   std::vector<ContactMemory> contacts_before_;
-  bool parameters_changed_ = false;
+  std::vector<Parameter> parameters_;        // of all elements
+  std::vector<double> parameters_before_;    // of a sample
+  std::vector<const ForceSlot*> sampled_;    // have samples
+  std::vector<std::size_t> own_parameters_;  // how many each element has
+  std::vector<double> g_, g_before_;         // event functions around a blow
+  std::vector<int> fired_;                   // with those that blows have added
+  bool parameters_changed_ = false, stiffness_changed_ = false, loads_only_ = false;
+  bool struck_ = false, velocities_changed_ = false;
 };
 
 }  // namespace yoke

@@ -65,6 +65,24 @@ void RunSamples::resume(const Recorder::Ledger& ledger, long next) {
   next_ = next;
 }
 
+void RunSamples::go_back(const State& state, double initial_energy) {
+  Recorder::Ledger ledger = recorder_.ledger();
+  ledger.initial = initial_energy;
+  recorder_.resume(ledger);
+  const auto forget = [&](Table& table) {
+    std::size_t rows = table.rows();
+    while (rows > 0 && table.value(rows - 1, 0) > state.t) --rows;
+    table.keep(rows);
+  };
+  forget(result_.samples);
+  if (contact_rows_.wanted()) forget(result_.contact_samples);
+  contact_rows_.start(state.contacts);
+  const std::size_t rows = result_.samples.rows();
+  const bool has_row = rows > 0 && result_.samples.value(rows - 1, 0) == state.t;
+  next_ = 0;
+  while (next_time() < state.t || (has_row && next_time() == state.t)) ++next_;
+}
+
 double RunSamples::next_time() const {
   if (next_ >= options_.samples) return std::numeric_limits<double>::infinity();
   return sample_time(next_, options_.samples, begin_, options_.until);

@@ -41,6 +41,10 @@ class RunSamples {
   /// Goes on with sample `next`.
   void resume(const Recorder::Ledger& ledger, long next);
   const Recorder::Ledger& ledger() const { return recorder_.ledger(); }
+  void set_ledger(const Recorder::Ledger& ledger) { recorder_.resume(ledger); }
+  /// Forgets rows behind `state`, where the run goes on with `initial_energy` [J] in its ledger; or
+  /// leaves out those before it.
+  void go_back(const State& state, double initial_energy);
   long next() const { return next_; }
   /// [s] Time of the next sample; infinity if there is none left.
   double next_time() const;

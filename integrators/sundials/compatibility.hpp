@@ -45,6 +45,8 @@ inline int ARKodeGetDky(void* m, sunrealtype t, int k, N_Vector y) {
 inline int ARKodeGetRootInfo(void* m, int* found) { return ERKStepGetRootInfo(m, found); }
 inline int ARKodeGetCurrentTime(void* m, sunrealtype* t) { return ERKStepGetCurrentTime(m, t); }
 inline int ARKodeGetLastStep(void* m, sunrealtype* h) { return ERKStepGetLastStep(m, h); }
+inline int ARKodeGetCurrentStep(void* m, sunrealtype* h) { return ERKStepGetCurrentStep(m, h); }
+inline int ARKodeSetInitStep(void* m, sunrealtype h) { return ERKStepSetInitStep(m, h); }
 inline int ARKodeGetNumSteps(void* m, long* n) { return ERKStepGetNumSteps(m, n); }
 inline int ARKodeGetNumErrTestFails(void* m, long* n) { return ERKStepGetNumErrTestFails(m, n); }
 inline void ARKodeFree(void** m) { ERKStepFree(m); }

@@ -17,14 +17,22 @@ class AppliedForceElement final : public ForceElement {
         body_(f.body),
         s_(s),
         f_(f.force),
-        frame_(f.frame) {}
+        frame_(f.frame),
+        value_(f.value) {}
+
+  std::vector<Parameter> parameters() const override {
+    if (!value_) return {};
+    return {{.name = "fx", .unit = "N", .value = value_->x(), .load = true},
+            {.name = "fy", .unit = "N", .value = value_->y(), .load = true}};
+  }
 
   bool supplies() const override { return true; }
 
   void evaluate(const ForceInput& in, const ForceRequest& out) const override {
     const BodyMotion& body = in.motion[body_];
     const Vec2 d = body.to_global(s_);
-    const Vec2 f = f_(in.motion.t);
+    Vec2 f = f_ ? f_(in.motion.t) : Vec2(0.0, 0.0);
+    if (value_) f += Vec2(in.parameters[0], in.parameters[1]);
     const Vec2 F = frame_ == Frame::global ? f : body.to_global(f);
     if (out.Q != nullptr) out.Q[0] = F.x(), out.Q[1] = F.y(), out.Q[2] = cross(d, F);
     if (out.dQ_dq != nullptr) {
@@ -45,6 +53,7 @@ class AppliedForceElement final : public ForceElement {
   Vec2 s_;  // [m] the point in body axes
   std::function<Vec2(double)> f_;
   Frame frame_;
+  std::optional<Vec2> value_;
 };
 
 }  // namespace
@@ -59,8 +68,10 @@ Vec2 load_point(const Model& model, const std::string& name, BodyId body, const 
 std::unique_ptr<ForceElement> AppliedForce::build(const Model& model) const {
   const std::string owner = element_name("applied force", name);
   const Vec2 s = load_point(model, name, body, at);
-  if (!force) throw ModelError(owner + ": force is missing; give a function of time");
-  require_finite_vector(owner, "force at t = 0", force(0.0));
+  if (!force && !value)
+    throw ModelError(owner + ": force is missing; give a function of time or a value");
+  if (force) require_finite_vector(owner, "force at t = 0", force(0.0));
+  if (value) require_finite_vector(owner, "value", *value);
   return std::make_unique<AppliedForceElement>(*this, s);
 }
 

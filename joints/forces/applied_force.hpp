@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,8 @@ struct AppliedForce {
   Vec2 at{0.0, 0.0};                      // [m] the point, global, in the start pose
   std::function<Vec2(double t)> force{};  // f [N]
   Frame frame = Frame::global;
+  /// [N] Added to f, and alone if there is none: the changeable parameters "name.fx" and "name.fy".
+  std::optional<Vec2> value{};
 
   std::unique_ptr<ForceElement> build(const Model& model) const;
 };

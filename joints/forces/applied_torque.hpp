@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,8 @@ struct AppliedTorque {
   std::string name;
   BodyId body;
   std::function<double(double t)> torque{};  // T [N m]
+  /// [N m] Added to T, and alone if there is none: the changeable parameter "name.torque".
+  std::optional<double> value{};
 
   std::unique_ptr<ForceElement> build(const Model& model) const;
 };

@@ -32,8 +32,8 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
     {"core",
-     {"core", "core/equations", "core/authoring", "core/curves/pieces", "core/curves",
-      "core/drawing"}},
+     {"core", "core/equations", "core/authoring", "core/control", "core/curves/pieces",
+      "core/curves", "core/drawing"}},
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
@@ -42,7 +42,8 @@ const std::map<std::string, std::vector<std::string>> room_order = {
     {"integrators",
      {"integrators", "integrators/sundials", "integrators/formulations/equations",
       "integrators/formulations", "integrators/run", "integrators/run/singular",
-      "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
+      "integrators/run/start", "integrators/analyses/details", "integrators/engine",
+      "integrators/analyses"}},
     {"cases",
      {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts",
       "cases/friction", "cases/slots", "cases/report", "cases/jobs", "cases/validation",

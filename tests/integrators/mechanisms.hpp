@@ -77,7 +77,7 @@ inline Model scotch_yoke(const YokeOptions& o, const DissipativeLaw& dissipation
   m.add(Revolute{.name = "pivot", .a = ground, .b = crank, .at = o.origin});
   m.add(AngleDriver{.name = "motor", .body = crank, .angle = constant_speed(phi, omega)});
   m.add(Prismatic{.name = "guide", .a = ground, .b = slider, .along = {1.0, 0.0}});
-  const auto law = [&](double K, double n) { return ContactLaw(per_mm(K, n), dissipation); };
+  const auto law = [&](double K, double n) { return ContactLaw{per_mm(K, n), dissipation}; };
   m.add(PinInSlot{.name = "slot",
                   .pin = {crank, o.origin + rotate(phi, Vec2(r, 0.0)), 7.9_mm},
                   .slot = {slider, arc_slot({.center = o.origin + Vec2(X, 0.0),

@@ -118,9 +118,9 @@ TEST_CASE("a driver or load without its function is refused") {
         "angle driver 'motor': angle is missing; give a function of time such as "
         "constant_speed(start, speed)");
   CHECK(refusal(m, AppliedForce{.name = "push", .body = m.a}) ==
-        "applied force 'push': force is missing; give a function of time");
+        "applied force 'push': force is missing; give a function of time or a value");
   CHECK(refusal(m, AppliedTorque{.name = "twist", .body = m.a}) ==
-        "applied torque 'twist': torque is missing; give a function of time");
+        "applied torque 'twist': torque is missing; give a function of time or a value");
   CHECK(refusal(m, AppliedTorque{.name = "twist", .body = ground}) ==
         "applied torque 'twist': body is the ground; give a body that moves");
 }

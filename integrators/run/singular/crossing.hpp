@@ -27,6 +27,8 @@ class SingularCrossing final : public Formulation {
   double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
   void interpolate(double t, State& state) override;
   void glance(double t, State& state) override;
+  void look(double t, State& state, Dynamics& equations) override;
+  void restart(const State& state) override;
   const std::vector<int>& fired() const override {
     return crossing_ ? guard_.fired() : inner_->fired();
   }
@@ -93,7 +95,8 @@ class SingularCrossing final : public Formulation {
   double hold_off_ = 2.0;  // enter only below this: what has proved to be harmless is above
 
   bool crossing_ = false, entering_ = false, leaving_ = false;
-  bool forced_ = false;  // because the formulation failed
+  bool loads_only_ = false;  // is the start one after which the step size is still good?
+  bool forced_ = false;      // because the formulation failed
   GaussCollocation::Segment segment_, trial_;
   double t_ = 0.0, h_ = 0.0, to_singular_ = far;
   int segments_ = 0;

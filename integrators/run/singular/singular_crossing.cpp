@@ -62,9 +62,16 @@ void SingularCrossing::start(const State& state) {
       return;
     }
   }
+  const bool goes_on = loads_only_ && !crossing_;
   if (crossing_) renew();
   crossing_ = false;
-  inner_->start(state);
+  goes_on ? inner_->restart(state) : inner_->start(state);
+}
+
+void SingularCrossing::restart(const State& state) {
+  loads_only_ = true;
+  start(state);
+  loads_only_ = false;
 }
 
 Step SingularCrossing::step(double t_stop) {
@@ -352,6 +359,10 @@ void SingularCrossing::interpolate(double t, State& state) {
 
 void SingularCrossing::glance(double t, State& state) {
   crossing_ ? interpolate(t, state) : inner_->glance(t, state);
+}
+
+void SingularCrossing::look(double t, State& state, Dynamics& equations) {
+  crossing_ ? interpolate(t, state) : inner_->look(t, state, equations);
 }
 
 StepCounters SingularCrossing::counters() const {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <yoke/tests/docs/simulation_example.hpp>
+#include <yoke/tests/documentation.hpp>
+
+TEST_CASE("the code in docs/simulation.md is compiled here and does what it says") {
+  yoke::tests::check_blocks("docs/simulation.md", "cpp", 9, {"tests/docs/simulation_example.hpp"});
+
+  using namespace yoke;
+  namespace example = simulation_example;
+  const Model crane = example::crane();
+  const double force = example::force_for(crane, 0.25);
+  CHECK(example::push(crane, force) == doctest::Approx(0.25).epsilon(1e-8));
+
+  Simulation run(crane, {.until = 2.0, .samples = 0});
+  run.set("motor.fx", 4.0);
+  run.advance_to(0.3);
+  const double best = example::best_force(run, {-4.0, 0.0, 4.0}, 0.2);
+  CHECK(run.time() == 0.3);
+  const auto swing = [&](double candidate) {
+    Simulation trial = run.fork();
+    trial.set("motor.fx", candidate);
+    trial.advance_to(0.5);
+    return std::abs(trial.get("load.angle_rad"));
+  };
+  for (const double other : {-4.0, 0.0, 4.0}) CHECK(swing(best) <= swing(other));
+
+  const Result controlled = simulate(example::controlled_crane(), {.until = 8.0, .samples = 9});
+  REQUIRE(controlled.summary.ok());
+  CHECK(controlled["carriage.x_m"].tail(1)[0] == doctest::Approx(0.3).epsilon(0.05));
+
+  const Result struck = simulate(example::struck_crane(), {.until = 60.0});
+  CHECK(struck.summary.stop == Stop::by_event);
+  REQUIRE(struck.events.size() > 2);
+  CHECK(struck.events.back().element == "high");
+  CHECK(struck.summary.energy_balance < 1e-4 * struck.summary.energy_exchanged);
+
+  CHECK(example::real_time(crane, 0.05) < 1e-3);
+}
+
+TEST_CASE("docs/simulation.md: two halves converge with the square of their exchange step") {
+  // The relative motion swings with omega^2 = 2 k / m, the centre moves with 0.25 m/s.
+  const double omega = std::sqrt(40.0), until = 1.0;
+  const double exact = 0.25 * until - 0.25 * std::sin(omega * until) / omega;
+  const double coarse = std::abs(simulation_example::two_halves(until, 0.02) - exact);
+  const double fine = std::abs(simulation_example::two_halves(until, 0.01) - exact);
+  CHECK(coarse < 1e-3);
+  CHECK(std::log2(coarse / fine) == doctest::Approx(2.0).epsilon(0.1));
+}
+
+TEST_CASE("docs/simulation.md: matrices of the crane") {
+  using namespace yoke;
+  const Model crane = simulation_example::crane();
+  // Hanging at rest nothing has to be held.
+  State state = crane.start_state();
+  CHECK(std::abs(simulation_example::holding_force(crane, state)) < 1e-12);
+  const StateSpace plant = simulation_example::plant(crane);
+  REQUIRE(plant.A.rows() == 4);
+  // Pushed slowly the whole mass of 2.5 kg is moved; at once what the hook does not yet pull.
+  const double at_once = (plant.C * plant.A * plant.B)(0, 0);
+  const double held = 2.5 - 0.5 * 0.5 * 0.4 * 0.4 / (1.0e-3 + 0.5 * 0.4 * 0.4);
+  CHECK(at_once == doctest::Approx(1.0 / held).epsilon(1e-8));
+}
