@@ -11,6 +11,8 @@
 #include <yoke/cases/jobs/report.hpp>
 #include <yoke/cases/jobs/standard_figures.hpp>
 #include <yoke/cases/report/page.hpp>
+#include <yoke/cases/report/replay.hpp>
+#include <yoke/cases/report/stored.hpp>
 
 namespace yoke::cases {
 
@@ -24,6 +26,13 @@ RunStatus worst_status(const std::vector<LawRun>& runs) {
   if (std::ranges::any_of(runs, stopped)) return RunStatus::interrupted;
   const bool ok = std::ranges::all_of(runs, [](const LawRun& r) { return r.summary.ok(); });
   return ok ? RunStatus::completed : RunStatus::failed;
+}
+
+/// The most important files of a run, as a shell would name them.
+const char* files_of(const OutputChoice& choice) {
+  if (choice.format == "hdf5") return "{results.h5,summary.json}";
+  if (choice.format == "mat") return "{results.mat,summary.json}";
+  return choice.events_only ? "{events.csv,summary.json}" : "{motion.csv,events.csv,summary.json}";
 }
 
 struct Job {
@@ -40,18 +49,22 @@ struct Job {
   LawRun run(std::size_t i, std::function<bool(const Progress&)> observer, DrawnRun& drawn) const {
     RunRequest own = request;
     own.output = request.output / folders[i];
-    LawRun run = run_law(c, own, laws[i], std::move(observer));
+    RunOutput output(request.choice, own.output);
+    LawRun run = run_law(c, own, laws[i], std::move(observer), &output);
     run.folder = folders[i];
-    write_run(c, request, run, own.output);
+    write_run(c, request, run, own.output, output);
     if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots(), c.paths);
+    run.replay.clear();
     if (!request.plots || !more) run.history = run.samples = run.dense = {};
     return run;
   }
 
+  /// As `yoke report` does, from what the runs have stored.
   void write_report(const std::vector<LawRun>& runs) const {
     std::vector<std::string> replays;
     for (const LawRun& run : runs)
-      if (!run.replay.empty()) replays.push_back(run.replay);
+      if (run.done && fs::exists(request.output / run.folder / replay_file))
+        replays.push_back(stored_replays(request.output / run.folder).front().json);
     if (replays.empty()) return;
     write_page(request.output / report_name, c.name, PageKind::report, replays);
     fmt::print("report: {}\n", (request.output / report_name).string());
@@ -89,8 +102,8 @@ RunStatus run_case(const Case& c, const RunRequest& request, const FigureMaker& 
   print_checks(runs);
   const std::string output = request.output.string();
   if (job.choice) {
-    write_comparison(runs, request.output / "comparison.csv");
-    fmt::print("\nresults: {}/LAW/{{motion.csv,events.csv,summary.json}}\n", output);
+    write_comparison(runs, request.output);
+    fmt::print("\nresults: {}/LAW/{}\n", output, files_of(request.choice));
   } else {
     fmt::print("results in {}\n", output);
   }

@@ -115,7 +115,7 @@ long LawRun::onsets() const {
 }
 
 LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
-               std::function<bool(const Progress&)> observer) {
+               std::function<bool(const Progress&)> observer, RunOutput* output) {
   const Model model = make_model(c, request.parameters, law);
   const std::vector<std::string> contacts = contact_names(model);
   LawRun run{.law = law, .done = true};
@@ -128,7 +128,17 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   SimulationOptions options =
       simulation_options(request, c.duration(request.parameters), samples, request.output);
   if (!contacts.empty() && samples > 0) options.contact_rows = rows_of_contact;
-  options.observer = std::move(observer);
+  const std::vector<MotionColumn> own =
+      c.columns ? c.columns(request.parameters, model) : std::vector<MotionColumn>{};
+  if (output != nullptr) {
+    output->begin(model, own, run.stride, static_cast<std::size_t>(samples));
+    options.observer = [output, observe = std::move(observer)](const Progress& progress) {
+      output->watch(*progress.so_far);
+      return !observe || observe(progress);
+    };
+  } else {
+    options.observer = std::move(observer);
+  }
   options.warning = [&law](const std::string& text) {
     fmt::print(stderr, "{}{}{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", law,
                law.empty() ? "" : ": ", text);
@@ -142,7 +152,7 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   judge(c, request, model, result, run);
   keep(std::move(result), run);
   run.contacts = contact_records(contacts, run);
-  if (c.columns) run.history = renamed(run.samples, c.columns(request.parameters, model));
+  if (!own.empty()) run.history = renamed(run.samples, own);
   if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,
                                 .parameters = request.parameters,

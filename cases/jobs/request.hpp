@@ -11,6 +11,7 @@
 
 #include <yoke/cases/choices/parameters.hpp>
 #include <yoke/cases/jobs/plot.hpp>
+#include <yoke/cases/results/output_table.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
@@ -19,7 +20,8 @@ struct RunRequest {
   Parameters parameters;
   std::vector<std::string> laws;      // specifications; empty: a case without a choice of laws
   std::filesystem::path output;       // folder for the results
-  int samples = 4001;                 // rows of motion.csv, uniform in time, both ends
+  int samples = 4001;                 // rows of tables, uniform in time, both ends
+  OutputChoice choice{};              // what of them is written, and how
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;
