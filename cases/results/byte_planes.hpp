@@ -12,6 +12,10 @@
 
 namespace yoke::cases {
 
+/// Numbers that are `step` apart, plus `shift`, as bytes that follow each other.
+void copy_numbers(const double* first, std::size_t step, double shift, std::size_t count,
+                  unsigned char* to);
+
 /// Byte k of every element, then byte k + 1 of every element: what HDF5 calls shuffled.
 /// `bytes` holds elements of `size` bytes each, at least one.
 void shuffle_bytes(std::span<const unsigned char> bytes, std::size_t size,

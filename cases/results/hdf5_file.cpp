@@ -141,36 +141,54 @@ void Hdf5File::append(const OutputTable& table, std::size_t expected_rows, std::
   if (is_new) create(table, expected_rows, text_width, group);
   if (table.rows <= group.rows) return;
   const hsize_t rows = table.rows;
-  const std::size_t begin = group.rows - group.rows % group.chunk;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    check(H5Dset_extent(group.datasets[c], &rows) >= 0, "lengthen a dataset");
-    for (std::size_t row = begin; row < table.rows; row += group.chunk)
-      write_chunk(group, table, c, row,
-                  (row + group.chunk > table.rows && !last) || (row == begin && group.partial));
+  for (const std::int64_t dataset : group.datasets)
+    check(H5Dset_extent(dataset, &rows) >= 0, "lengthen a dataset");
+  for (std::size_t row = group.rows - group.rows % group.chunk; row < table.rows;
+       row += group.chunk) {
+    gather(group, table, row);
+    const bool full = row + group.chunk <= table.rows || last;
+    const bool there = row < group.rows && group.partial;
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      write_chunk(group, c, row, !full || there);
   }
   group.rows = table.rows;
   group.partial = table.rows % group.chunk != 0;
 }
 
-void Hdf5File::write_chunk(const Group& group, const OutputTable& table, std::size_t column,
-                           std::size_t begin, bool as_it_is) {
-  const OutputColumn& c = table.columns[column];
-  const std::size_t size = group.sizes[column], count = std::min(group.chunk, table.rows - begin);
-  elements_.assign(group.chunk * size, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    unsigned char* element = elements_.data() + i * size;
-    if (c.text) {
-      const std::string_view text = c.text(begin + i);
-      std::memcpy(element, text.data(), std::min(text.size(), size));
-    } else {
-      const double x = c.number(begin + i);
-      std::memcpy(element, &x, sizeof x);
+/// The elements of a chunk of every column, by blocks of rows: rows lie together in memory, and those of
+/// a block stay in the cache until the last column has been there.
+void Hdf5File::gather(const Group& group, const OutputTable& table, std::size_t begin) {
+  constexpr std::size_t block = 64;
+  const std::size_t end = std::min(begin + group.chunk, table.rows);
+  elements_.resize(table.columns.size());
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    elements_[c].resize(group.chunk * group.sizes[c]);
+    if (end - begin < group.chunk || table.columns[c].text) std::ranges::fill(elements_[c], 0);
+  }
+  for (std::size_t row = begin; row < end; row += block) {
+    const std::size_t count = std::min(block, end - row);
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const OutputColumn& column = table.columns[c];
+      const std::size_t size = group.sizes[c];
+      unsigned char* to = elements_[c].data() + (row - begin) * size;
+      if (column.text) {
+        for (std::size_t i = 0; i < count; ++i) {
+          const std::string_view text = column.text(row + i);
+          std::memcpy(to + i * size, text.data(), std::min(text.size(), size));
+        }
+      } else {
+        copy_numbers(column.first + row * column.step, column.step, column.shift, count, to);
+      }
     }
   }
+}
+
+void Hdf5File::write_chunk(const Group& group, std::size_t column, std::size_t begin,
+                           bool as_it_is) {
   std::uint32_t skipped = all_filters_skipped;
-  std::span<const unsigned char> bytes = elements_;
+  std::span<const unsigned char> bytes = elements_[column];
   if (!as_it_is) {
-    shuffle_bytes(elements_, size, planes_);
+    shuffle_bytes(bytes, group.sizes[column], planes_);
     if (compress_planes(planes_, group.chunk, stream_)) {
       skipped = 0;
       bytes = stream_;

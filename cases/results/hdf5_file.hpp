@@ -52,14 +52,15 @@ class Hdf5File {
   };
   void create(const OutputTable& table, std::size_t expected_rows, std::size_t text_width,
               Group& group);
-  void write_chunk(const Group& group, const OutputTable& table, std::size_t column,
-                   std::size_t begin, bool as_it_is);
+  void gather(const Group& group, const OutputTable& table, std::size_t begin);
+  void write_chunk(const Group& group, std::size_t column, std::size_t begin, bool as_it_is);
   void check(bool ok, const char* what) const;
 
   std::filesystem::path shown_;
   std::int64_t file_ = -1;
   std::map<std::string, Group> groups_;
-  std::vector<unsigned char> elements_, planes_, stream_;
+  std::vector<std::vector<unsigned char>> elements_;  // of a chunk, by column
+  std::vector<unsigned char> planes_, stream_;
 };
 
 }  // namespace yoke::cases

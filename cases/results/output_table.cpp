@@ -71,8 +71,7 @@ std::vector<OutputTable> SampleColumns::tables(const Table& samples, std::size_t
     OutputColumn column{.name = c.name, .unit = c.unit, .step = step * width, .shift = c.shift};
     if (written > 0) column.first = samples.data().data() + begin * width + c.source;
     if (!c.labels.empty())
-      column.text = [&labels = c.labels, first = column.first,
-                     step = column.step](std::size_t row) {
+      column.text = [labels = c.labels, first = column.first, step = column.step](std::size_t row) {
         return std::string_view(labels.at(static_cast<std::size_t>(first[row * step])));
       };
     tables.back().columns.push_back(std::move(column));

@@ -38,7 +38,10 @@ struct OutputColumn {
   double shift = 0.0;    // added
   std::function<std::string_view(std::size_t row)> text{};
 
-  double number(std::size_t row) const { return first[row * step] + shift; }
+  double number(std::size_t row) const {
+    const double x = first[row * step];
+    return shift == 0.0 ? x : x + shift;  // keeps -0
+  }
 };
 
 /// Valid as long as what it was made of stays in place.
