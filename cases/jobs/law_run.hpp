@@ -26,6 +26,15 @@ struct ContactRecord {
   long onsets = 0;
 };
 
+/// The largest force of a run: of a contact; without contacts of a joint.
+struct ForcePeak {
+  std::string element{};          // "": there is none
+  double force = 0.0;             // [N] of the recorded rows
+  double t = 0.0;                 // [s]
+  std::optional<Vec2> place{};    // [m] global, of a contact
+  std::vector<double> history{};  // [N] the largest of equal stretches of the run
+};
+
 /// The run under one law. Tables have `stride` rows for each row that is written: an impact takes
 /// less than a millisecond, and its peak and its loop are to be seen whole.
 struct LawRun {
@@ -41,6 +50,7 @@ struct LawRun {
   std::vector<ContactRecord> contacts{};
   std::optional<Verification> verification{};
   std::vector<Check> checks{};
+  ForcePeak peak{};
   std::vector<Portrait> portraits{};
   std::string replay{};  // for a report (cases/report/replay.hpp), if one was asked for
 

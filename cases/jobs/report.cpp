@@ -114,13 +114,6 @@ void print_table(const std::vector<LawRun>& runs) {
   }
 }
 
-void print_summary(const Summary& s) {
-  fmt::print("{}: {:g} of {:g} s in {} steps, energy balance {:.2g} J of {:.3g} J exchanged\n",
-             s.reason, s.t_end, s.t_asked, s.steps, s.energy_balance, s.energy_exchanged);
-  fmt::print("degrees of freedom: {}, constraints violated by at most {:.1e} m and {:.1e} rad\n",
-             s.degrees_of_freedom, s.position_violation, s.angle_violation);
-}
-
 /// What every user should know of the mechanism; the same under every law but for the times.
 void print_findings(const Summary& s, const std::string& who) {
   if (!s.redundant_equations.empty())
@@ -149,16 +142,16 @@ void write_run(const Case& c, const RunRequest& request, const LawRun& run,
     write_text(folder / replay_file, run.replay);
 }
 
-void print_report(const std::vector<LawRun>& runs) {
+void print_report(const std::string& case_name, const RunRequest& request,
+                  const std::vector<LawRun>& runs) {
   const bool choice = runs.size() > 1 || !runs.front().law.empty();
-  const bool contacts =
-      std::ranges::any_of(runs, [](const LawRun& r) { return !r.contacts.empty(); });
-  if (choice || contacts) print_table(runs);
-  for (const LawRun& run : runs) {
-    if (!run.done) continue;
-    if (!choice) print_summary(run.summary);
-    print_findings(run.summary, choice ? label(run) + ": " : "");
-  }
+  if (runs.size() > 1)
+    print_table(runs);
+  else if (runs.front().done)
+    print_summary(choice ? case_name + ", " + runs.front().law : case_name, runs.front(),
+                  request.output / runs.front().folder, request.choice);
+  for (const LawRun& run : runs)
+    if (run.done) print_findings(run.summary, choice ? label(run) + ": " : "");
   for (const LawRun& run : runs)
     if (run.verification) print_verification(label(run), *run.verification);
   if (!choice) return;

@@ -30,6 +30,7 @@ struct RunRequest {
   bool report = false;                      // report.html
   std::string command{};                    // that asks for this, as a user would type it
   int jobs = 1;                             // runs at a time
+  bool quiet = false;                       // print failures alone
   bool verify = false;                      // run again by another formulation and compare
   std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
   double checkpoint_every = 0.0;            // [s] simulated time; 0: none by time

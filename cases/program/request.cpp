@@ -176,6 +176,7 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->expected(0, 1)
       ->default_str("double");
   verb.add_flag("--no-report", o.no_report, "Do not write report.html");
+  verb.add_flag("-q,--quiet", o.quiet, "No progress, no summary: print what goes wrong alone");
   verb.add_flag("--verify", o.verify,
                 "Run again with another formulation at a tighter tolerance and print how many "
                 "digits of each quantity agree");
@@ -320,6 +321,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .report = !o.no_report && !o.events_only,
           .command = command_of(o),
           .jobs = o.jobs > 0 ? o.jobs : processors,
+          .quiet = o.quiet,
           .verify = o.verify,
           .spectral_radius = checked_spectral_radius(o),
           .checkpoint_every = checked_interval(o.checkpoint),

@@ -28,6 +28,7 @@ struct RequestOptions {
   bool no_report = false;
   std::string paper;  // "single", "double", "both"; "": no figures for print
   bool verify = false;
+  bool quiet = false;
   std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
   long checkpoint_events = 0;   // 0: none by events
   std::string spectral_radius;  // "": its default
@@ -42,7 +43,7 @@ struct RequestOptions {
 /// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
 void add_case_options(CLI::App& verb, RequestOptions& options);
 /// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --paper, --no-report, --verify,
-/// --checkpoint, --checkpoint-events, --spectral-radius, --format, --columns, --every, --from, --events-only.
+/// --checkpoint, --checkpoint-events, --spectral-radius, --format, --columns, --every, --from, --events-only, --quiet.
 void add_output_options(CLI::App& verb, RequestOptions& options);
 
 /// The case in `run --paper CASE`, where it stands in the place of the optional word.

@@ -45,9 +45,9 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/run/start", "integrators/analyses/details", "integrators/analyses"}},
     {"cases",
      {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts",
-      "cases/friction", "cases/slots", "cases/results", "cases/report", "cases/jobs",
-      "cases/validation", "cases/paper/figures", "cases/paper", "cases/program",
-      "cases/program/reports", "cases/program/studies"}},
+      "cases/friction", "cases/slots", "cases/terminal", "cases/results", "cases/report",
+      "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper", "cases/program/help",
+      "cases/program", "cases/program/reports", "cases/program/texts", "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 
