@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <yoke/cases/program/verb.hpp>
 #include <yoke/core/error.hpp>
@@ -35,7 +36,7 @@ constexpr const char* project_main =
     R"(// A crank drives a slider through a pin in a slot, with clearance: change it into your mechanism.
 #include <cstdio>
 
-#include <yoke/yoke.hpp>
+@YOKE@
 using namespace yoke;
 using namespace yoke::literals;
 
@@ -75,10 +76,9 @@ Yoke, say where it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=/where/yoke
 `main.cpp` has bodies, joints, a driver and a contact, in SI units or with literals such as `45_mm`.
 )";
 
-std::string filled_in(std::string text, const std::string& name) {
-  constexpr std::string_view mark = "@NAME@";
-  for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos; at += name.size())
-    text.replace(at, mark.size(), name);
+std::string filled_in(std::string text, std::string_view mark, std::string_view value) {
+  for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos; at += value.size())
+    text.replace(at, mark.size(), value);
   return text;
 }
 
@@ -100,7 +100,8 @@ int make_project(const std::string& path) {
   for (const auto& [file, text] : {std::pair{"CMakeLists.txt", project_cmake},
                                    {"main.cpp", project_main},
                                    {"README.md", project_readme}}) {
-    std::string content = filled_in(text, name);
+    std::string content = filled_in(text, "@NAME@", name);
+    content = filled_in(content, "@YOKE@", "#include <yoke/yoke.hpp>");
     content.pop_back();  // the end of the last line comes with writing
     write_text(folder / file, content);
   }

@@ -5,6 +5,7 @@
 // meant, colours; and the project that `yoke new` writes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -410,15 +410,20 @@ TEST_CASE("docs/results.md lists the columns that runs write, with their units")
   take_case(yoke_case, {}, {"johnson"}, "lugre:mu=0.1");
   take("events", event_table({}, 0.0));
   take("impacts", impact_table({}, 0.0));
-  for (const auto& [heading, columns] : written) {
+  for (const auto& table : written) {
+    const std::string& heading = table.first;
     CAPTURE(heading);
-    for (const auto& [name, unit] : columns) {
+    auto& list = lists[heading];
+    for (const auto& column : table.second) {
+      const std::string& name = column.first;
       CAPTURE(name);
-      REQUIRE(lists[heading].count(name) == 1);
-      CHECK(lists[heading][name] == unit);
+      REQUIRE(list.count(name) == 1);
+      CHECK(list[name] == column.second);
     }
-    for (const auto& [name, unit] : lists[heading])
-      CHECK_MESSAGE(columns.count(name) == 1, heading << ": " << name << " is written by no run");
+    for (const auto& column : list) {
+      const std::string& name = column.first;
+      CHECK_MESSAGE(table.second.count(name) == 1, name << " is written by no run");
+    }
   }
 }
 
@@ -427,9 +432,11 @@ TEST_CASE("docs/results.md lists the fields of summary.json") {
   REQUIRE(run_yoke(scratch, case_run + std::string("--verify --events-only -o out")).code == 0);
   const auto summary = nlohmann::json::parse(content(scratch / "out/hertz-flores/summary.json"));
   auto fields = documented()["summary.json"];
-  for (const auto& [name, value] : summary.items())
+  for (const auto& item : summary.items()) {
+    const std::string name = item.key();
     CHECK_MESSAGE(fields.erase(name) == 1, name << " is not in docs/results.md");
-  for (const auto& [name, unit] : fields) FAIL_CHECK(name << " is in docs/results.md alone");
+  }
+  for (const auto& field : fields) FAIL_CHECK(field.first << " is in docs/results.md alone");
   CHECK(summary["schema"] == summary_schema);
   CHECK(summary["version"].is_string());
 }
