@@ -23,7 +23,7 @@ namespace yoke::cases {
 /// A column of motion.csv, made from a column of the engine's samples: value + shift.
 struct MotionColumn {
   std::string name;    // "slider_x"; the column is called slider_x_m
-  std::string unit;    // "m", or "" for none
+  std::string unit;    // "m/s^2", or "" for none
   std::string source;  // "slider.x_m"
   double shift = 0.0;  // in the unit of the column
 };

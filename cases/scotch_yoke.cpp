@@ -346,19 +346,19 @@ std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model&
       {"t", "s", "t_s"},
       {"crank_angle", "rad", "crank.angle_rad"},
       {"crank_angle_relative", "rad", "crank.angle_rad", -choices.start_angle},
-      {"crank_speed", "rad_per_s", "crank.omega_rad_per_s"},
+      {"crank_speed", "rad/s", "crank.omega_rad_per_s"},
       {"slider_x", "m", "slider.x_m", arc_centre_offset(model, choices)},
-      {"slider_v", "m_per_s", "slider.vx_m_per_s"},
-      {"slider_a", "m_per_s2", "slider.ax_m_per_s2"},
+      {"slider_v", "m/s", "slider.vx_m_per_s"},
+      {"slider_a", "m/s^2", "slider.ax_m_per_s2"},
       {"pivot_fx", "N", "pivot.fx_N"},
       {"pivot_fy", "N", "pivot.fy_N"},
       {"guide_fy", "N", "guide.fy_N"},
-      {"guide_moment", "N_m", "guide.moment_N_m"},
-      {"motor_torque", "N_m", "motor.moment_N_m"},
+      {"guide_moment", "N m", "guide.moment_N_m"},
+      {"motor_torque", "N m", "motor.moment_N_m"},
   };
   const std::vector<MotionColumn> contact = {
       {"penetration", "m", "slot.penetration_m"},
-      {"penetration_rate", "m_per_s", "slot.penetration_rate_m_per_s"},
+      {"penetration_rate", "m/s", "slot.penetration_rate_m_per_s"},
       {"normal_force", "N", "slot.normal_force_N"},
       {"region", "", "slot.region"}};
   const std::vector<MotionColumn> joint = {{"slot_fx", "N", "slot.fx_N"},
@@ -368,7 +368,7 @@ std::vector<MotionColumn> motion_columns(const ScotchYoke& choices, const Model&
   if (choices.rolling)
     columns.insert(columns.end(), {{"pin_joint_fx", "N", "pin_joint.fx_N"},
                                    {"pin_joint_fy", "N", "pin_joint.fy_N"},
-                                   {"pin_speed", "rad_per_s", "pin.omega_rad_per_s"}});
+                                   {"pin_speed", "rad/s", "pin.omega_rad_per_s"}});
   for (const char* energy : {"kinetic", "stored", "dissipated", "work", "balance"})
     columns.push_back({energy, "J", std::string(energy) + "_J"});
   return columns;

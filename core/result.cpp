@@ -2,85 +2,25 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/core/result.hpp>
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
 #include <yoke/core/error.hpp>
+#include <yoke/core/output/csv_file.hpp>
+#include <yoke/core/version.hpp>
 
 namespace yoke {
 
 namespace {
-
-/// A file that is there whole or not at all: it is written beside its place and takes it once it is
-/// closed. What is no file, as a pipe or a device, is written to directly.
-class OutputFile {
- public:
-  explicit OutputFile(const std::filesystem::path& path) : path_(path), target_(path) {
-    std::error_code unknown;
-    if (std::filesystem::is_symlink(path, unknown))
-      target_ = std::filesystem::weakly_canonical(path, unknown);
-    const bool other = std::filesystem::exists(target_, unknown) &&
-                       !std::filesystem::is_regular_file(target_, unknown);
-    written_ = target_;
-    if (!other) written_ += ".part";
-    file_ = std::fopen(written_.c_str(), "w");
-    if (file_ == nullptr) fail(errno);
-    buffer_.reserve(1 << 16);
-  }
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile() {
-    if (file_ != nullptr) std::fclose(file_);
-    discard();
-  }
-
-  void line(std::string_view text) {
-    buffer_.append(text);
-    buffer_.push_back('\n');
-    if (buffer_.size() > (1 << 15)) flush();
-  }
-  /// The file takes its place.
-  void finish() {
-    flush();
-    // Some file systems tell only here that there is no room.
-    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(errno);
-    std::error_code error;
-    if (written_ != target_) std::filesystem::rename(written_, target_, error);
-    if (error) fail(error.value());
-    finished_ = true;
-  }
-
- private:
-  void flush() {
-    const std::size_t done = std::fwrite(buffer_.data(), 1, buffer_.size(), file_);
-    if (done != buffer_.size() || std::fflush(file_) != 0) fail(errno);
-    buffer_.clear();
-  }
-  [[noreturn]] void fail(int error) {
-    if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
-    discard();
-    throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(error)));
-  }
-  void discard() {
-    std::error_code unknown;
-    if (!finished_ && written_ != target_) std::filesystem::remove(written_, unknown);
-    finished_ = true;
-  }
-
-  std::filesystem::path path_, target_, written_;
-  std::FILE* file_ = nullptr;
-  std::string buffer_;
-  bool finished_ = false;
-};
 
 nlohmann::json number(double x) {
   return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
@@ -93,6 +33,8 @@ nlohmann::json larger(double a, double b) { return number(std::max(a, b)); }
 void Table::add_column(std::string name, std::string_view unit, std::vector<std::string> labels) {
   // "m/s^2" becomes "_m_per_s2": column names are identifiers in most tools that read them.
   if (unit == "1") unit = "";
+  units_.emplace_back(unit);
+  parts_.push_back(part_);
   if (!unit.empty()) name += "_";
   for (const char c : unit) {
     if (c == '/') {
@@ -149,10 +91,33 @@ Eigen::VectorXd Table::operator[](std::string_view name) const {
   return values;
 }
 
-Table Table::merged(const Table& other) const {
+std::vector<std::string> Table::parts() const {
+  std::vector<std::string> found;
+  for (std::size_t i = 1; i < parts_.size(); ++i)
+    if (std::ranges::find(found, parts_[i]) == found.end()) found.push_back(parts_[i]);
+  if (found.empty()) found.emplace_back("motion");
+  return found;
+}
+
+std::vector<std::size_t> Table::columns_of(std::string_view part) const {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (i == 0 || parts_[i] == part) columns.push_back(i);
+  return columns;
+}
+
+Table Table::headed_alike() const {
   Table table;
+  table.part_ = part_;
   table.names_ = names_;
+  table.units_ = units_;
+  table.parts_ = parts_;
   table.labels_ = labels_;
+  return table;
+}
+
+Table Table::merged(const Table& other) const {
+  Table table = headed_alike();
   const std::size_t width = names_.size();
   table.data_.reserve(data_.size() + other.data_.size());
   const auto take = [&](const Table& from, std::size_t row) {
@@ -168,12 +133,10 @@ Table Table::merged(const Table& other) const {
   return table;
 }
 
-Table Table::every(std::size_t n) const {
-  Table thinned;
-  thinned.names_ = names_;
-  thinned.labels_ = labels_;
-  thinned.reserve(rows_ / n + 1);
-  for (std::size_t i = 0; i < rows_; i += n)
+Table Table::every(std::size_t n, std::size_t first) const {
+  Table thinned = headed_alike();
+  if (first < rows_) thinned.reserve((rows_ - first) / n + 1);
+  for (std::size_t i = first; i < rows_; i += n)
     std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(i * names_.size()), names_.size(),
                 thinned.append());
   return thinned;
@@ -181,25 +144,30 @@ Table Table::every(std::size_t n) const {
 
 std::string Table::text(std::size_t row, std::size_t column) const {
   const double x = value(row, column);
-  if (labels_[column].empty()) return fmt::format("{:.17g}", x);
+  if (labels_[column].empty()) return fmt::format("{}", x);
   return labels_[column].at(static_cast<std::size_t>(x));
 }
 
 void Table::write_csv(const std::filesystem::path& path) const {
-  OutputFile file(path);
-  file.line(fmt::format("{}", fmt::join(names_, ",")));
-  fmt::memory_buffer line;
+  std::vector<std::size_t> all(names_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  write_csv(path, all);
+}
+
+void Table::write_csv(const std::filesystem::path& path,
+                      const std::vector<std::size_t>& columns) const {
+  CsvFile file(path);
+  for (const std::size_t j : columns) file.cell(names_[j]);
+  file.end_line();
   for (std::size_t i = 0; i < rows_; ++i) {
-    line.clear();
-    for (std::size_t j = 0; j < names_.size(); ++j) {
-      if (j > 0) line.push_back(',');
-      if (labels_[j].empty()) {
-        fmt::format_to(std::back_inserter(line), "{:.17g}", value(i, j));
-      } else {
-        fmt::format_to(std::back_inserter(line), "{}", text(i, j));
-      }
+    for (const std::size_t j : columns) {
+      const double x = value(i, j);
+      if (labels_[j].empty())
+        file.cell(x);
+      else
+        file.cell(labels_[j].at(static_cast<std::size_t>(x)));
     }
-    file.line({line.data(), line.size()});
+    file.end_line();
   }
   file.finish();
 }
@@ -216,17 +184,23 @@ void make_output_folder(const std::filesystem::path& folder) {
 }
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
-  OutputFile file(path);
+  CsvFile file(path);
   file.line(text);
   file.finish();
 }
 
 void write_events(const std::vector<EventRecord>& events, const std::filesystem::path& path) {
-  OutputFile file(path);
+  CsvFile file(path);
   file.line("t_s,kind,region,speed_m_per_s,penetration_m,element");
-  for (const EventRecord& e : events)
-    file.line(fmt::format("{:.17g},{},{},{:.17g},{:.17g},{}", e.t, e.kind, e.region, e.speed,
-                          e.penetration, e.element));
+  for (const EventRecord& e : events) {
+    file.cell(e.t);
+    file.cell(e.kind);
+    file.cell(e.region);
+    file.cell(e.speed);
+    file.cell(e.penetration);
+    file.cell(e.element);
+    file.end_line();
+  }
   file.finish();
 }
 
@@ -240,6 +214,8 @@ std::string to_json(const Summary& s) {
                         {"energy_before_J", number(p.energy_before)},
                         {"energy_after_J", number(p.energy_after)}});
   const nlohmann::ordered_json json = {
+      {"schema", summary_schema},
+      {"version", version},
       {"stop", stop[static_cast<int>(s.stop)]},
       {"reason", s.reason},
       {"formulation", s.formulation},
@@ -289,7 +265,8 @@ std::string to_json(const Summary& s) {
 
 void Result::write(const std::filesystem::path& folder) const {
   make_output_folder(folder);
-  samples.write_csv(folder / "motion.csv");
+  for (const std::string& part : samples.parts())
+    samples.write_csv(folder / (part + ".csv"), samples.columns_of(part));
   write_events(events, folder / "events.csv");
   write_text(folder / "summary.json", to_json(summary));
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <yoke/core/force.hpp>
@@ -16,9 +17,13 @@
 
 namespace yoke {
 
-/// Rows of numbers in columns whose names include the unit.
+/// Rows of numbers in columns whose names include the unit. The first column of samples is the time.
+/// Columns belong to parts, each of which makes a file of its own: what the samples of a run hold is
+/// listed in docs/results.md.
 class Table {
  public:
+  /// Columns added from here on belong to this part; before, to "motion".
+  void begin_part(std::string part) { part_ = std::move(part); }
   /// Adds a column called "name_unit" ("crank.x_m"); with labels the number is an index into them.
   void add_column(std::string name, std::string_view unit, std::vector<std::string> labels = {});
   /// Room for this many rows (up to 256 MiB at once), so that appending them allocates nothing.
@@ -44,20 +49,31 @@ class Table {
   std::string nearest(std::string_view name) const;
   /// Labels of a column, empty if it holds numbers.
   const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
-  /// A table of the same columns with rows 0, n, 2 n, ...; n >= 1.
-  Table every(std::size_t n) const;
+  /// As "m/s^2"; empty if the column has none or it was not told apart from the name.
+  const std::string& unit(std::size_t column) const { return units_[column]; }
+  const std::string& part(std::size_t column) const { return parts_[column]; }
+  /// Parts that have columns besides the first, in their order; "motion" of a table of one column.
+  std::vector<std::string> parts() const;
+  /// The first column and those of a part.
+  std::vector<std::size_t> columns_of(std::string_view part) const;
+  /// A table of the same columns with rows first, first + n, first + 2 n, ...; n >= 1.
+  Table every(std::size_t n, std::size_t first = 0) const;
   /// A table with the rows of both, which have the same columns, rising in the first, the time; of
   /// rows at one time the one here alone.
   Table merged(const Table& other) const;
-  /// Text of a labelled cell, the number with 17 significant digits otherwise.
+  /// Text of a labelled cell; otherwise the number, with as many digits as bring back every bit.
   std::string text(std::size_t row, std::size_t column) const;
 
-  /// Comma-separated values with one header line. Throws OutputError naming the path; then what
-  /// was there before stays.
+  /// Comma-separated values with one header line, of all columns or of those named. Throws
+  /// OutputError naming the path; then what was there before stays.
   void write_csv(const std::filesystem::path& path) const;
+  void write_csv(const std::filesystem::path& path, const std::vector<std::size_t>& columns) const;
 
  private:
-  std::vector<std::string> names_;
+  Table headed_alike() const;
+
+  std::string part_ = "motion";
+  std::vector<std::string> names_, units_, parts_;
   std::vector<std::vector<std::string>> labels_;
   std::vector<double> data_;
   std::size_t rows_ = 0;
@@ -132,13 +148,16 @@ struct Result {
 
   /// Column of the samples: result["crank.angle_rad"].
   Eigen::VectorXd operator[](std::string_view column) const { return samples[column]; }
-  /// Writes motion.csv, events.csv and summary.json into `folder` (made if missing). Throws
+  /// Writes a CSV file for each part of the samples (motion.csv, reactions.csv, contacts.csv,
+  /// forces.csv, energies.csv), events.csv and summary.json into `folder` (made if missing). Throws
   /// OutputError naming the path.
   void write(const std::filesystem::path& folder) const;
 };
 
 /// The events as events.csv: t_s,kind,region,speed_m_per_s,penetration_m,element.
 void write_events(const std::vector<EventRecord>& events, const std::filesystem::path& path);
+/// What summary.json calls its form; it changes if a field is renamed, taken away or means another.
+inline constexpr const char* summary_schema = "yoke-summary-1";
 /// The summary as JSON text.
 std::string to_json(const Summary& summary);
 /// Makes a folder for results, or throws OutputError naming it and the reason.

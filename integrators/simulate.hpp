@@ -21,6 +21,7 @@ struct Progress {
   double fraction = 0.0;  // of the requested time, 0 to 1
   long steps = 0;
   long events = 0;
+  const Result* so_far = nullptr;  // samples and events until t; its summary is of no use yet
 };
 
 /// Where and when a run writes checkpoints: at simulated times or events, never by wall-clock time.

@@ -57,6 +57,46 @@ std::vector<ContactRecord> contact_records(const std::vector<std::string>& names
   return records;
 }
 
+constexpr std::size_t stretches = 60;  // of a run, in ForcePeak::history
+
+/// Of columns fx and fy, or of one that is a force by itself (`y` the same as `x`).
+ForcePeak peak_of(const Table& rows, const std::string& element, std::size_t x, std::size_t y) {
+  ForcePeak peak{.element = element, .history = std::vector<double>(stretches, 0.0)};
+  const double begin = rows.value(0, 0), end = rows.value(rows.rows() - 1, 0);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const double t = rows.value(i, 0);
+    const double force = x == y ? rows.value(i, x) : std::hypot(rows.value(i, x), rows.value(i, y));
+    const double part = end > begin ? (t - begin) / (end - begin) : 0.0;
+    double& most =
+        peak.history[std::min(stretches - 1, static_cast<std::size_t>(part * stretches))];
+    most = std::max(most, force);
+    if (!(force > peak.force)) continue;
+    peak.force = force;
+    peak.t = t;
+    if (x == y)
+      peak.place = Vec2(rows.value(i, rows.index(element + ".contact_point_x_m")),
+                        rows.value(i, rows.index(element + ".contact_point_y_m")));
+  }
+  return peak;
+}
+
+ForcePeak largest_force(const Table& rows, const std::vector<std::string>& contacts) {
+  ForcePeak largest;
+  if (rows.rows() == 0) return largest;
+  const auto take = [&](ForcePeak peak) {
+    if (peak.force > largest.force) largest = std::move(peak);
+  };
+  for (const std::string& c : contacts) {
+    const std::size_t force = rows.index(c + ".normal_force_N");
+    if (rows.has(c + ".contact_point_x_m")) take(peak_of(rows, c, force, force));
+  }
+  if (!contacts.empty()) return largest;
+  for (std::size_t j = 0; j + 1 < rows.names().size(); ++j)
+    if (rows.part(j) == "reactions" && rows.names()[j].ends_with(".fx_N"))
+      take(peak_of(rows, rows.names()[j].substr(0, rows.names()[j].size() - 5), j, j + 1));
+  return largest;
+}
+
 /// The samples under the names of the case.
 Table renamed(const Table& samples, const std::vector<MotionColumn>& columns) {
   Table table;
@@ -115,7 +155,7 @@ long LawRun::onsets() const {
 }
 
 LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
-               std::function<bool(const Progress&)> observer) {
+               std::function<bool(const Progress&)> observer, RunOutput* output) {
   const Model model = make_model(c, request.parameters, law);
   const std::vector<std::string> contacts = contact_names(model);
   LawRun run{.law = law, .done = true};
@@ -128,7 +168,17 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   SimulationOptions options =
       simulation_options(request, c.duration(request.parameters), samples, request.output);
   if (!contacts.empty() && samples > 0) options.contact_rows = rows_of_contact;
-  options.observer = std::move(observer);
+  const std::vector<MotionColumn> own =
+      c.columns ? c.columns(request.parameters, model) : std::vector<MotionColumn>{};
+  if (output != nullptr) {
+    output->begin(model, own, run.stride, static_cast<std::size_t>(samples));
+    options.observer = [output, observe = std::move(observer)](const Progress& progress) {
+      output->watch(*progress.so_far);
+      return !observe || observe(progress);
+    };
+  } else {
+    options.observer = std::move(observer);
+  }
   options.warning = [&law](const std::string& text) {
     fmt::print(stderr, "{}{}{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", law,
                law.empty() ? "" : ": ", text);
@@ -142,7 +192,8 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   judge(c, request, model, result, run);
   keep(std::move(result), run);
   run.contacts = contact_records(contacts, run);
-  if (c.columns) run.history = renamed(run.samples, c.columns(request.parameters, model));
+  run.peak = largest_force(run.all(), contacts);
+  if (!own.empty()) run.history = renamed(run.samples, own);
   if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,
                                 .parameters = request.parameters,

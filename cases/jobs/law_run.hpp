@@ -12,6 +12,7 @@
 
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/jobs/request.hpp>
+#include <yoke/cases/results/run_output.hpp>
 #include <yoke/core/result.hpp>
 #include <yoke/integrators/analyses/verify.hpp>
 
@@ -25,7 +26,16 @@ struct ContactRecord {
   long onsets = 0;
 };
 
-/// The run under one law. Tables have `stride` rows for each row of motion.csv: an impact takes
+/// The largest force of a run: of a contact; without contacts of a joint.
+struct ForcePeak {
+  std::string element{};          // "": there is none
+  double force = 0.0;             // [N] of the recorded rows
+  double t = 0.0;                 // [s]
+  std::optional<Vec2> place{};    // [m] global, of a contact
+  std::vector<double> history{};  // [N] the largest of equal stretches of the run
+};
+
+/// The run under one law. Tables have `stride` rows for each row that is written: an impact takes
 /// less than a millisecond, and its peak and its loop are to be seen whole.
 struct LawRun {
   std::string law{};     // as asked for; "" if the case has no choice
@@ -40,6 +50,7 @@ struct LawRun {
   std::vector<ContactRecord> contacts{};
   std::optional<Verification> verification{};
   std::vector<Check> checks{};
+  ForcePeak peak{};
   std::vector<Portrait> portraits{};
   std::string replay{};  // for a report (cases/report/replay.hpp), if one was asked for
 
@@ -53,9 +64,10 @@ struct LawRun {
 };
 
 /// Runs the case under one law; checkpoints go to request.output. With request.samples = 0 only the
-/// events and the summary are kept. Throws ModelError for what cannot start.
+/// events and the summary are kept. `output`, if there is one, is told what the run has so far. Throws
+/// ModelError for what cannot start.
 LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
-               std::function<bool(const Progress&)> observer);
+               std::function<bool(const Progress&)> observer, RunOutput* output = nullptr);
 
 /// One contact from onset to release, by the rows of the tables inside it.
 struct ContactSpell {

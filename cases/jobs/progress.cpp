@@ -39,39 +39,61 @@ bool interrupted() { return stop_requested; }
 
 void set_interrupted(bool value) { stop_requested = value; }
 
-ProgressLine::ProgressLine(std::vector<std::string> names)
-    : names_(std::move(names)), fractions_(names_.size(), 0.0), terminal_(isatty(STDERR_FILENO)) {}
+ProgressLine::ProgressLine(std::vector<std::string> names, bool shown)
+    : last_draw_(seconds()), shown_(shown), terminal_(isatty(STDERR_FILENO)) {
+  for (std::string& name : names) lines_.push_back({.name = std::move(name)});
+}
 
 ProgressLine::~ProgressLine() {
-  if (drawn_) std::fputs("\r\033[K", stderr);
+  if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressLine::report(std::size_t index, double fraction) {
-  if (!terminal_) return;
+void ProgressLine::report(std::size_t index, const Progress& progress) {
+  if (!shown_) return;
   const std::lock_guard lock(mutex_);
-  fractions_[index] = fraction;
+  Line& line = lines_[index];
   const double now = seconds();
-  if (now - last_draw_ < 0.1) return;
+  if (line.begun < 0.0) line.begun = now;
+  line.fraction = progress.fraction;
+  line.t = progress.t;
+  if (progress.so_far != nullptr) {
+    const std::vector<EventRecord>& events = progress.so_far->events;
+    for (; line.events < events.size(); ++line.events)
+      if (events[line.events].kind == "onset") ++line.contacts;
+  }
+  constexpr double pause_on_terminal = 0.1, pause_elsewhere = 10.0;  // [s]
+  if (now - last_draw_ < (terminal_ ? pause_on_terminal : pause_elsewhere)) return;
   last_draw_ = now;
-  draw();
+  draw(now);
 }
 
-void ProgressLine::draw() {
+std::string ProgressLine::text_of(const Line& line, double now) {
+  std::string text = fmt::format("{} {:.0f} %", line.name, 100.0 * line.fraction);
+  const double taken = now - line.begun;
+  if (line.t > 0.0 && taken > 0.0)
+    text += fmt::format(", t = {:.4g} s, {:.2g} s/s", line.t, line.t / taken);
+  if (line.contacts > 0) text += fmt::format(", {} contacts", line.contacts);
+  if (line.fraction > 0.0)
+    text += fmt::format(", {:.0f} s left", taken * (1.0 - line.fraction) / line.fraction);
+  return text;
+}
+
+void ProgressLine::draw(double now) {
   double total = 0.0;
   std::string running;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    total += fractions_[i] / static_cast<double>(names_.size());
-    if (fractions_[i] > 0.0 && fractions_[i] < 1.0)
-      running += fmt::format("  {} {:.0f} %", names_[i], 100.0 * fractions_[i]);
+  for (const Line& line : lines_) {
+    total += line.fraction / static_cast<double>(lines_.size());
+    if (line.fraction > 0.0 && line.fraction < 1.0) running += "  " + text_of(line, now);
   }
-  std::fputs(fmt::format("\r\033[K{:3.0f} %{}", 100.0 * total, running).c_str(), stderr);
+  const std::string text = fmt::format("{:3.0f} %{}", 100.0 * total, running);
+  std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }
 
 std::function<bool(const Progress&)> ProgressLine::observer(std::size_t index) {
   return [this, index](const Progress& progress) {
-    report(index, progress.fraction);
+    report(index, progress);
     return !interrupted();
   };
 }

@@ -22,25 +22,35 @@ bool interrupted();
 /// Sets or clears the flag, as a signal would; for tests.
 void set_interrupted(bool value);
 
-/// Progress of several runs at a time, as one line on stderr if that is a terminal.
+/// Progress of several runs at a time on stderr: on a terminal one line with the simulated time, its
+/// speed, contacts and the time that remains; elsewhere a plain line every ten seconds.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::vector<std::string> names);
+  explicit ProgressLine(std::vector<std::string> names, bool shown = true);
   ~ProgressLine();
 
   /// Reports that run `index` has come to `fraction`. Any thread.
-  void report(std::size_t index, double fraction);
+  void report(std::size_t index, double fraction) { report(index, {.fraction = fraction}); }
+  void report(std::size_t index, const Progress& progress);
   /// An observer for simulate(): reports, and stops the run when interrupted.
   std::function<bool(const Progress&)> observer(std::size_t index);
 
  private:
-  void draw();
+  struct Line {
+    std::string name{};
+    double fraction = 0.0;
+    double t = 0.0;          // [s] simulated
+    double begun = -1.0;     // [s] on the clock
+    std::size_t events = 0;  // looked at
+    long contacts = 0;
+  };
+  void draw(double now);
+  static std::string text_of(const Line& line, double now);
 
-  std::vector<std::string> names_;
-  std::vector<double> fractions_;
+  std::vector<Line> lines_;
   std::mutex mutex_;
-  double last_draw_ = -1.0;
-  bool terminal_;
+  double last_draw_;
+  bool shown_, terminal_;
   bool drawn_ = false;
 };
 

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include <yoke/cases/report/replay.hpp>
@@ -46,6 +48,33 @@ std::string summary_json(const Case& c, const RunRequest& request, const LawRun&
   return json.dump(2);
 }
 
+/// Of a field of summary.json; 0 if it is not there, nan if it was no number.
+double number_in(const Json& summary, const char* field) {
+  if (!summary.contains(field)) return 0.0;
+  return summary[field].is_number() ? summary[field].get<double>()
+                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Of a run, by the summary.json in its folder.
+std::string comparison_line(const std::filesystem::path& folder,
+                            const std::vector<std::string>& elements) {
+  const Json s = Json::parse(std::ifstream(folder / "summary.json"));
+  const std::string stop = s.at("stop");
+  std::string line =
+      fmt::format("\"{}\",{}", s.value("law", ""), stop == "by_event" ? "completed" : stop);
+  for (const char* field :
+       {"t_end_s", "peak_force_N", "largest_penetration_m", "contacts", "steps", "rejected",
+        "energy_balance_J", "position_violation_m", "angle_violation_rad"})
+    line += fmt::format(",{}", number_in(s, field));
+  line += fmt::format(",{:.3f}", number_in(s, "wall_time_s"));
+  for (const std::string& e : elements) {
+    const Json& element = s.at("contact_elements").at(e);
+    for (const char* field : {"peak_force_N", "largest_penetration_m", "contacts"})
+      line += fmt::format(",{}", number_in(element, field));
+  }
+  return line;
+}
+
 std::string label(const LawRun& run) { return run.law.empty() ? "run" : run.law; }
 
 void print_verification(const std::string& name, const Verification& v) {
@@ -85,13 +114,6 @@ void print_table(const std::vector<LawRun>& runs) {
   }
 }
 
-void print_summary(const Summary& s) {
-  fmt::print("{}: {:g} of {:g} s in {} steps, energy balance {:.2g} J of {:.3g} J exchanged\n",
-             s.reason, s.t_end, s.t_asked, s.steps, s.energy_balance, s.energy_exchanged);
-  fmt::print("degrees of freedom: {}, constraints violated by at most {:.1e} m and {:.1e} rad\n",
-             s.degrees_of_freedom, s.position_violation, s.angle_violation);
-}
-
 /// What every user should know of the mechanism; the same under every law but for the times.
 void print_findings(const Summary& s, const std::string& who) {
   if (!s.redundant_equations.empty())
@@ -108,25 +130,28 @@ void print_findings(const Summary& s, const std::string& who) {
 }  // namespace
 
 void write_run(const Case& c, const RunRequest& request, const LawRun& run,
-               const std::filesystem::path& folder) {
+               const std::filesystem::path& folder, RunOutput& output) {
   make_output_folder(folder);
-  // The small files first: on a full disk they say what the large one would have held.
-  write_text(folder / "summary.json", summary_json(c, request, run));
-  write_events(run.events, folder / "events.csv");
-  run.motion().every(run.stride).write_csv(folder / "motion.csv");
-  if (!run.replay.empty()) write_text(folder / replay_file, run.replay);
+  // The small file first: on a full disk it says what the large ones would have held.
+  const std::string summary = summary_json(c, request, run);
+  write_text(folder / "summary.json", summary);
+  output.finish(run.samples, run.events, contact_spans(run.all(), run.events), summary);
+  if (run.replay.empty())
+    std::filesystem::remove(folder / replay_file);  // of an earlier run
+  else
+    write_text(folder / replay_file, run.replay);
 }
 
-void print_report(const std::vector<LawRun>& runs) {
+void print_report(const std::string& case_name, const RunRequest& request,
+                  const std::vector<LawRun>& runs) {
   const bool choice = runs.size() > 1 || !runs.front().law.empty();
-  const bool contacts =
-      std::ranges::any_of(runs, [](const LawRun& r) { return !r.contacts.empty(); });
-  if (choice || contacts) print_table(runs);
-  for (const LawRun& run : runs) {
-    if (!run.done) continue;
-    if (!choice) print_summary(run.summary);
-    print_findings(run.summary, choice ? label(run) + ": " : "");
-  }
+  if (runs.size() > 1)
+    print_table(runs);
+  else if (runs.front().done)
+    print_summary(choice ? case_name + ", " + runs.front().law : case_name, runs.front(),
+                  request.output / runs.front().folder, request.choice);
+  for (const LawRun& run : runs)
+    if (run.done) print_findings(run.summary, choice ? label(run) + ": " : "");
   for (const LawRun& run : runs)
     if (run.verification) print_verification(label(run), *run.verification);
   if (!choice) return;
@@ -142,7 +167,7 @@ void print_checks(const std::vector<LawRun>& runs) {
       fmt::print("check: {}{}\n", run.law.empty() ? "" : run.law + ": ", text_of(check));
 }
 
-void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& path) {
+void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::path& output) {
   std::string text =
       "law,stop,t_end_s,peak_force_N,largest_penetration_m,contacts,steps,rejected,"
       "energy_balance_J,position_violation,angle_violation,wall_time_s";
@@ -150,24 +175,12 @@ void write_comparison(const std::vector<LawRun>& runs, const std::filesystem::pa
   for (const LawRun& run : runs)
     if (elements.empty())
       for (const ContactRecord& r : run.contacts) elements.push_back(r.element);
-  if (elements.size() > 1)
-    for (const std::string& e : elements)
-      text += fmt::format(",{0}.peak_force_N,{0}.largest_penetration_m,{0}.contacts", e);
-  for (const LawRun& run : runs) {
-    if (!run.done) continue;
-    const Summary& s = run.summary;
-    text += fmt::format("\n\"{}\",{},{},{},{},{},{},{},{},{},{},{:.3f}", run.law,
-                        s.ok()                        ? "completed"
-                        : s.stop == Stop::interrupted ? "interrupted"
-                                                      : "failed",
-                        s.t_end, run.peak_force(), run.largest_penetration(), run.onsets(), s.steps,
-                        s.rejected, s.energy_balance, s.position_violation, s.angle_violation,
-                        s.wall_time);
-    if (elements.size() > 1)
-      for (const ContactRecord& r : run.contacts)
-        text += fmt::format(",{},{},{}", r.peak_force, r.largest_penetration, r.onsets);
-  }
-  write_text(path, text);
+  if (elements.size() < 2) elements.clear();
+  for (const std::string& e : elements)
+    text += fmt::format(",{0}.peak_force_N,{0}.largest_penetration_m,{0}.contacts", e);
+  for (const LawRun& run : runs)
+    if (run.done) text += "\n" + comparison_line(output / run.folder, elements);
+  write_text(output / "comparison.csv", text);
 }
 
 }  // namespace yoke::cases

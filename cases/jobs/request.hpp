@@ -11,6 +11,7 @@
 
 #include <yoke/cases/choices/parameters.hpp>
 #include <yoke/cases/jobs/plot.hpp>
+#include <yoke/cases/results/output_table.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke::cases {
@@ -19,7 +20,8 @@ struct RunRequest {
   Parameters parameters;
   std::vector<std::string> laws;      // specifications; empty: a case without a choice of laws
   std::filesystem::path output;       // folder for the results
-  int samples = 4001;                 // rows of motion.csv, uniform in time, both ends
+  int samples = 4001;                 // rows of tables, uniform in time, both ends
+  OutputChoice choice{};              // what of them is written, and how
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;
@@ -28,6 +30,7 @@ struct RunRequest {
   bool report = false;                      // report.html
   std::string command{};                    // that asks for this, as a user would type it
   int jobs = 1;                             // runs at a time
+  bool quiet = false;                       // print failures alone
   bool verify = false;                      // run again by another formulation and compare
   std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
   double checkpoint_every = 0.0;            // [s] simulated time; 0: none by time

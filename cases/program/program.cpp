@@ -7,6 +7,7 @@
 #include <string>
 
 #include <yoke/cases/jobs/progress.hpp>
+#include <yoke/cases/program/help/help.hpp>
 #include <yoke/core/version.hpp>
 
 namespace yoke::cases {
@@ -19,6 +20,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&, Action&)>& ad
   app.require_subcommand(1);
   Action action;
   add_verbs(app, action);
+  add_help_texts(app);
   if (argc == 1) {
     std::fputs(app.help().c_str(), stdout);
     return exit_usage;
@@ -30,7 +32,9 @@ int run(int argc, char** argv, const std::function<void(CLI::App&, Action&)>& ad
   } catch (const CLI::ParseError& error) {
     std::string message = error.what();
     if (message == "A subcommand is required") message = "what to do? 'yoke VERB ...'";
-    std::fprintf(stderr, "yoke: %s; try 'yoke --help'\n", message.c_str());
+    message += nearest_meant(app, {argv + 1, argv + argc});
+    std::fprintf(stderr, "yoke: %s%s try 'yoke --help'\n", message.c_str(),
+                 message.ends_with('?') ? "" : ";");
     return exit_usage;
   }
   catch_signals();

@@ -60,6 +60,17 @@ std::optional<double> checked_spectral_radius(const RequestOptions& o) {
   return radius;
 }
 
+OutputChoice checked_choice(const RequestOptions& o) {
+  check_output_format(o.format);
+  if (o.every < 1) throw ModelError(fmt::format("--every {}: must be at least 1", o.every));
+  OutputChoice choice{.format = o.format,
+                      .columns = o.columns,
+                      .every = static_cast<std::size_t>(o.every),
+                      .events_only = o.events_only};
+  if (!o.from.empty()) choice.from = parse_quantity("--from", Quantity::time, o.from);
+  return choice;
+}
+
 std::vector<Sheet> sheets_for(const std::string& paper) {
   std::vector<Sheet> sheets{on_screen};
   if (paper.empty()) return sheets;
@@ -133,9 +144,28 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
                   "Friction in every contact, a friction law of 'yoke law list' with arguments: "
                   "brown-mcphee:mu=0.1,mu_static=0.12; also wall by wall: SPEC,WALL=SPEC")
       ->type_name("FRICTION");
-  verb.add_option("--samples", o.samples, "Rows of motion.csv, uniform in time, both ends included")
+  verb.add_option("--samples", o.samples, "Rows of each table, uniform in time, both ends included")
       ->type_name("N")
       ->capture_default_str();
+  verb.add_option(
+          "--format", o.format,
+          "csv: a file for each table; hdf5: results.h5, readable while the run goes on; mat: "
+          "results.mat for MATLAB and Octave")
+      ->type_name("FORMAT")
+      ->capture_default_str();
+  verb.add_option(
+          "--columns", o.columns,
+          "Write these columns alone, by name with * and ?: --columns 'crank.*,*_J'; repeatable")
+      ->type_name("PATTERNS")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb.add_option("--every", o.every, "Write every N-th row")
+      ->type_name("N")
+      ->capture_default_str();
+  verb.add_option("--from", o.from, "Write rows and events from this time on, for instance 0.5s")
+      ->type_name("TIME");
+  verb.add_flag("--events-only", o.events_only,
+                "Write events, impacts and the summary; no tables over time, no plots, no report");
   verb.add_flag("--no-plots", o.no_plots, "Do not draw plots");
   verb.add_option(
           "--paper", o.paper,
@@ -146,6 +176,7 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
       ->expected(0, 1)
       ->default_str("double");
   verb.add_flag("--no-report", o.no_report, "Do not write report.html");
+  verb.add_flag("-q,--quiet", o.quiet, "No progress, no summary: print what goes wrong alone");
   verb.add_flag("--verify", o.verify,
                 "Run again with another formulation at a tighter tolerance and print how many "
                 "digits of each quantity agree");
@@ -191,13 +222,20 @@ void visit_options(Options& o, Visit&& visit) {
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
   visit("spectral_radius", o.spectral_radius);
+  visit("format", o.format);
+  visit("columns", o.columns);
+  visit("every", o.every);
+  visit("from", o.from);
+  visit("events_only", o.events_only);
 }
 
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
 bool added_later(std::string_view option) {
-  return option == "friction" || option == "spectral_radius" || option == "no_report" ||
-         option == "paper";
+  constexpr std::string_view later[] = {"friction",   "spectral_radius", "no_report", "paper",
+                                        "format",     "columns",         "every",     "from",
+                                        "events_only"};
+  return std::ranges::find(later, option) != std::end(later);
 }
 
 }  // namespace
@@ -274,14 +312,16 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .laws = laws,
           .output = o.output.empty() ? c.default_output : std::filesystem::path(o.output),
           .samples = o.samples,
+          .choice = checked_choice(o),
           .relative_tolerance = o.relative_tolerance,
           .formulation = checked_formulation(o.formulation),
-          .plots = !o.no_plots,
+          .plots = !o.no_plots && !o.events_only,
           .sheets = sheets_for(o.paper),
           .films = !o.paper.empty(),
-          .report = !o.no_report,
+          .report = !o.no_report && !o.events_only,
           .command = command_of(o),
           .jobs = o.jobs > 0 ? o.jobs : processors,
+          .quiet = o.quiet,
           .verify = o.verify,
           .spectral_radius = checked_spectral_radius(o),
           .checkpoint_every = checked_interval(o.checkpoint),

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include <yoke/cases/report/base64.hpp>
-#include <yoke/cases/report/contact_spans.hpp>
 #include <yoke/cases/report/thinning.hpp>
+#include <yoke/cases/results/contact_spans.hpp>
 #include <yoke/core/drawing/drawing.hpp>
 #include <yoke/core/version.hpp>
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <yoke/cases/report/contact_spans.hpp>
+#include <yoke/cases/results/contact_spans.hpp>
 #include <yoke/core/result.hpp>
 
 namespace yoke::cases {

@@ -100,6 +100,8 @@ void Mechanics::at(const State& state) {
   e.state.z = state.z;
   e.state.parameters = state.parameters;
   e.state.contacts = state.contacts;
+  for (ContactMemory& memory : e.state.contacts)
+    if (rests(memory.grip)) memory.grip = Grip::none;
   if (!e.dynamics.calc_accelerations(e.state) || !e.lu->factorise(e.dynamics.matrix()))
     throw ModelError(fmt::format(
         "mechanics: at t = {:.9g} s the constraints are dependent or a value is not finite{}",

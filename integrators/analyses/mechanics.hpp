@@ -30,12 +30,14 @@ class Mechanics {
   Mechanics& operator=(Mechanics&&) noexcept;
 
   int coordinates() const;  ///< n = 3 bodies
-  int equations() const;    ///< rows of G; those found redundant are among them
+  int equations() const;    ///< rows of G; those found redundant are among them, and
+                            ///< last a row of zeros for each contact with dry friction
   int freedom() const;      ///< f = n - independent equations
 
   /// Where all that follows is taken: t, q, v, z, parameters and contacts of `state`. It is not
   /// projected; Phi and G v + Phi_t tell how far it is off. Throws ModelError if it is not of this
-  /// model, or if the constraints are dependent there.
+  /// model, or if the constraints are dependent there. Dry friction that holds is taken for none: the
+  /// freedom is that of the joints.
   void at(const State& state);
 
   const Eigen::VectorXd& mass_matrix() const;          ///< [n] diagonal of M [kg, kg, kg m^2]

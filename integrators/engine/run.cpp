@@ -383,7 +383,8 @@ bool Run::observe(double t) {
   const Progress progress{.t = t,
                           .fraction = (t - t_start_) / (options_.until - t_start_),
                           .steps = cost_.steps(*formulation_),
-                          .events = static_cast<long>(result_.events.size())};
+                          .events = static_cast<long>(result_.events.size()),
+                          .so_far = &result_};
   if (options_.observer(progress)) return true;
   stop(Stop::interrupted, fmt::format("interrupted at t = {:.9g} s", t));
   return false;

@@ -16,12 +16,12 @@ void add_body_columns(Table& table, const Body& body) {
   for (const auto& [name, unit] : {std::pair{"x", "m"},
                                    {"y", "m"},
                                    {"angle", "rad"},
-                                   {"vx", "m_per_s"},
-                                   {"vy", "m_per_s"},
-                                   {"omega", "rad_per_s"},
-                                   {"ax", "m_per_s2"},
-                                   {"ay", "m_per_s2"},
-                                   {"alpha", "rad_per_s2"}})
+                                   {"vx", "m/s"},
+                                   {"vy", "m/s"},
+                                   {"omega", "rad/s"},
+                                   {"ax", "m/s^2"},
+                                   {"ay", "m/s^2"},
+                                   {"alpha", "rad/s^2"}})
     table.add_column(n + name, unit);
 }
 
@@ -34,12 +34,14 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
   table.add_column("t", "s");
   for (std::size_t i = 1; i < system.model().bodies().size(); ++i)
     add_body_columns(table, system.model().bodies()[i]);
+  table.begin_part("reactions");
   for (const ConstraintSlot& c : system.joints()) {
     table.add_column(c.element->name() + ".fx", "N");
     table.add_column(c.element->name() + ".fy", "N");
-    table.add_column(c.element->name() + ".moment", "N_m");
+    table.add_column(c.element->name() + ".moment", "N m");
   }
   for (const ForceSlot& f : system.forces()) {
+    table.begin_part(f.element->contacts() > 0 ? "contacts" : "forces");
     for (const Channel& z : f.element->states())
       table.add_column(f.element->name() + "." + z.name, z.unit);
     const std::vector<Channel> channels = f.element->channels();
@@ -47,6 +49,7 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
       table.add_column(f.element->name() + "." + c.name, c.unit, c.labels);
     channels_.push_back(channels.size());
   }
+  table.begin_part("energies");
   for (const std::string& name : system.quadrature_names()) table.add_column(name, "J");
   is_work_ = system.quadratures_of_work();
   for (const char* name : {"kinetic", "potential", "stored", "dissipated", "work", "balance"})

@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 const std::map<std::string, std::vector<std::string>> room_order = {
     {"core",
      {"core", "core/equations", "core/authoring", "core/control", "core/curves/pieces",
-      "core/curves", "core/drawing"}},
+      "core/curves", "core/drawing", "core/output"}},
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
@@ -46,9 +46,9 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/analyses"}},
     {"cases",
      {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts",
-      "cases/friction", "cases/slots", "cases/report", "cases/jobs", "cases/validation",
-      "cases/paper/figures", "cases/paper", "cases/program", "cases/program/reports",
-      "cases/program/studies"}},
+      "cases/friction", "cases/slots", "cases/terminal", "cases/results", "cases/report",
+      "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper", "cases/program/help",
+      "cases/program", "cases/program/reports", "cases/program/texts", "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 

@@ -21,6 +21,6 @@ int main() {
   const ContactLaw steel{per_mm(4.907e4, 1.10), HuntCrossley{.alpha = 0.32_s_per_m}};
   m.add(PinInSlot{.name = "pin", .pin = pin, .slot = {slider, slot}, .law = steel});
   const Result run = simulate(m, {.until = 166.7_ms, .relative_tolerance = 1e-8});
-  run.write("results/first");  // motion.csv, events.csv, summary.json
+  run.write("results/first");  // motion.csv, reactions.csv, ..., summary.json
   return run.summary.ok() ? 0 : 1;
 }

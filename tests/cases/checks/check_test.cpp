@@ -21,7 +21,7 @@ Result sampled_sine(double w, double until, int rows) {
   Result run;
   run.samples.add_column("t", "s");
   run.samples.add_column("y", "m");
-  run.samples.add_column("v", "m_per_s");
+  run.samples.add_column("v", "m/s");
   for (int i = 0; i < rows; ++i) {
     const double t = until * i / (rows - 1);
     double* row = run.samples.append();

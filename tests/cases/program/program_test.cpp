@@ -4,91 +4,32 @@
 // The yoke program as a user meets it: what it writes, what it says, how it ends.
 #include <doctest/doctest.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <yoke/core/result.hpp>
+#include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/files.hpp>
 #include <yoke/tests/messages.hpp>
-
-extern char** environ;
 
 namespace {
 
 using namespace yoke::tests;
+using Outcome = ProgramOutcome;
 namespace fs = std::filesystem;
-
-std::vector<std::string> lines(const fs::path& path) {
-  std::vector<std::string> all;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) all.push_back(line);
-  return all;
-}
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> all;
-  std::stringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');) all.push_back(cell);
-  return all;
-}
-
-struct Outcome {
-  int code = -1;
-  std::string out;  // both streams
-};
-
-pid_t start(const std::string& command) {
-  std::string shell = "sh", flag = "-c", text = command;
-  char* arguments[] = {shell.data(), flag.data(), text.data(), nullptr};
-  pid_t child = 0;
-  REQUIRE(posix_spawnp(&child, "sh", nullptr, nullptr, arguments, environ) == 0);
-  return child;
-}
-
-int wait_for(pid_t child) {
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-const std::string program = "exec '" YOKE_BINARY_DIR "/yoke'";
-
-/// Runs the program in a folder; `before` is shell code.
-Outcome yoke(const TemporaryFolder& scratch, const std::string& arguments,
-             const std::string& before = "") {
-  const fs::path log = scratch / "log";
-  const int code = wait_for(start("cd '" + scratch.path().string() + "'; " + before + program +
-                                  " " + arguments + " >'" + log.string() + "' 2>&1"));
-  return {code, content(log)};
-}
-
-/// Whole rows only, as many cells in each as in the header. Returns the number of rows.
-std::size_t check_rows(const fs::path& path) {
-  const std::string text = content(path);
-  REQUIRE(!text.empty());
-  CHECK(text.back() == '\n');
-  const std::vector<std::string> all = lines(path);
-  const std::size_t columns = cells(all.front()).size();
-  for (const std::string& line : all) CHECK(cells(line).size() == columns);
-  return all.size() - 1;
-}
 
 TEST_SUITE("program") {
   TEST_CASE("a short run writes the files and columns that scripts rely on") {
     const TemporaryFolder scratch;
-    const Outcome run = yoke(scratch,
-                             "run scotch_yoke -o out --samples 101 --law johnson --no-plots "
-                             "--law table11-goldsmith --set revolutions=0.25");
+    const Outcome run = run_yoke(scratch,
+                                 "run scotch_yoke -o out --samples 101 --law johnson --no-plots "
+                                 "--law table11-goldsmith --set revolutions=0.25");
     CHECK(run.code == 0);
     CHECK(contains(run.out, "out/LAW/{motion.csv,events.csv,summary.json}"));
     for (const char* law : {"johnson", "table11-goldsmith"}) {
@@ -130,7 +71,7 @@ TEST_SUITE("program") {
       return count;
     };
     const std::string run = "run scotch_yoke --samples 101 --no-plots --set revolutions=0.25 ";
-    CHECK(contains(yoke(scratch, run + "-o out --law johnson --law table11-goldsmith").out,
+    CHECK(contains(run_yoke(scratch, run + "-o out --law johnson --law table11-goldsmith").out,
                    "report: out/report.html"));
     const fs::path page = scratch / "out/report.html";
     CHECK(runs_in(page) == 2);
@@ -143,28 +84,28 @@ TEST_SUITE("program") {
 
     const std::string before = content(page);
     fs::remove(page);
-    CHECK(yoke(scratch, "report out").code == 0);
+    CHECK(run_yoke(scratch, "report out").code == 0);
     CHECK((content(page) == before));  // not printed if it is not
 
-    CHECK(yoke(scratch, run + "-o other --law johnson --set crank_length=40mm").code == 0);
-    const Outcome both = yoke(scratch, "compare out other -o both");
+    CHECK(run_yoke(scratch, run + "-o other --law johnson --set crank_length=40mm").code == 0);
+    const Outcome both = run_yoke(scratch, "compare out other -o both");
     CHECK(both.code == 0);
     CHECK(contains(both.out, "  table11-goldsmith\n"));
     CHECK(contains(both.out, "out: johnson\n"));
     CHECK(contains(both.out, "other: johnson\n"));
     CHECK(runs_in(scratch / "both/comparison.html") == 3);
-    const Outcome alone = yoke(scratch, "compare other");
+    const Outcome alone = run_yoke(scratch, "compare other");
     CHECK(alone.code != 0);
     CHECK(contains(alone.out, "one run alone"));
 
-    CHECK(yoke(scratch, run + "-o none --law johnson --no-report").code == 0);
+    CHECK(run_yoke(scratch, run + "-o none --law johnson --no-report").code == 0);
     CHECK(!fs::exists(scratch / "none/report.html"));
     CHECK(!fs::exists(scratch / "none/johnson/replay.json"));
-    const Outcome nothing = yoke(scratch, "report none");
+    const Outcome nothing = run_yoke(scratch, "report none");
     CHECK(nothing.code != 0);
     CHECK(contains(nothing.out, "'none'"));
 
-    CHECK(yoke(scratch, "view geneva -o drawn").code == 0);
+    CHECK(run_yoke(scratch, "view geneva -o drawn").code == 0);
     CHECK(runs_in(scratch / "drawn/view.html") == 1);
     CHECK(!fs::exists(scratch / "drawn/motion.csv"));
   }
@@ -172,7 +113,7 @@ TEST_SUITE("program") {
   TEST_CASE("a run ends with its checks, law by law where there are laws") {
     const TemporaryFolder scratch;
     const Outcome pendulum =
-        yoke(scratch, "run point_pendulum -o out --no-plots --set duration=6 --rtol 1e-9");
+        run_yoke(scratch, "run point_pendulum -o out --no-plots --set duration=6 --rtol 1e-9");
     CHECK(pendulum.code == 0);
     CHECK(contains(pendulum.out, "\ncheck: period 2.3678419"));
     CHECK(contains(pendulum.out, ", expected 2.36784195 s within"));
@@ -186,9 +127,9 @@ TEST_SUITE("program") {
     CHECK(std::abs(checks[1]["value"].get<double>() - checks[1]["expected"].get<double>()) <
           checks[1]["tolerance"].get<double>());
 
-    const Outcome laws = yoke(scratch,
-                              "run scotch_yoke -o laws --no-plots --samples 201 --law "
-                              "johnson --law johnson-10mm --set revolutions=0.1");
+    const Outcome laws = run_yoke(scratch,
+                                  "run scotch_yoke -o laws --no-plots --samples 201 --law "
+                                  "johnson --law johnson-10mm --set revolutions=0.1");
     CHECK(contains(laws.out, "\ncheck: johnson: slider farther from"));
     CHECK(contains(laws.out, "\ncheck: johnson-10mm: imbalance of the energy"));
   }
@@ -196,8 +137,8 @@ TEST_SUITE("program") {
   TEST_CASE("the same run gives the same bytes, on one thread or two") {
     const TemporaryFolder scratch;
     const std::string run = "run scotch_yoke --samples 201 --set revolutions=0.3 --no-plots -o ";
-    CHECK(yoke(scratch, run + "one --jobs 1").code == 0);
-    CHECK(yoke(scratch, run + "two --jobs 2").code == 0);
+    CHECK(run_yoke(scratch, run + "one --jobs 1").code == 0);
+    CHECK(run_yoke(scratch, run + "two --jobs 2").code == 0);
     for (const char* law : {"table11-lankarani-nikravesh", "johnson-10mm"})
       for (const char* file : {"motion.csv", "events.csv"})
         CHECK(content(scratch / "one" / law / file) == content(scratch / "two" / law / file));
@@ -208,7 +149,7 @@ TEST_SUITE("program") {
     const std::string run = "run scotch_yoke -o out --set revolutions=1 --law table11-johnson";
     const bool gnuplot = std::system("command -v gnuplot >/dev/null") == 0;
     if (gnuplot) {
-      const Outcome drawn = yoke(scratch, run);
+      const Outcome drawn = run_yoke(scratch, run);
       CHECK_MESSAGE(drawn.code == 0, drawn.out);
       for (const char* name :
            {"figure11", "figure12", "figure13", "figure14", "figure15", "figure16", "mechanism"})
@@ -217,7 +158,7 @@ TEST_SUITE("program") {
                         name);
       CHECK(!contains(drawn.out, "failed"));
     }
-    const Outcome without = yoke(scratch, run, "PATH=/nowhere; ");
+    const Outcome without = run_yoke(scratch, run, "PATH=/nowhere; ");
     CHECK(without.code == 0);
     CHECK(contains(without.out, "gnuplot is not installed"));
     CHECK(contains(without.out, "apt-get install gnuplot-nox"));
@@ -227,7 +168,7 @@ TEST_SUITE("program") {
     if (std::system("command -v gnuplot >/dev/null") != 0) return;
     const TemporaryFolder scratch;
     const std::string run = "run point_pendulum --no-report ";
-    CHECK(yoke(scratch, run + "--paper both -o both").code == 0);
+    CHECK(run_yoke(scratch, run + "--paper both -o both").code == 0);
     const fs::path plots = scratch / "both/plots";
     // [dots] of PNG at 600 an inch, [1/96 inch] of SVG, [1/72 inch] of PDF.
     struct Width {
@@ -248,15 +189,15 @@ TEST_SUITE("program") {
       CHECK(fs::exists(plots / (std::string(w.name) + ".gp")));
     }
     // The word may be left out, also before the name of the case.
-    CHECK(yoke(scratch, "run --paper point_pendulum --no-report -o one").code == 0);
+    CHECK(run_yoke(scratch, "run --paper point_pendulum --no-report -o one").code == 0);
     CHECK(fs::exists(scratch / "one/plots/path-double.pdf"));
     CHECK(!fs::exists(scratch / "one/plots/path-single.pdf"));
-    CHECK(yoke(scratch, run + "--paper --samples 101 -o other").code == 0);
+    CHECK(run_yoke(scratch, run + "--paper --samples 101 -o other").code == 0);
     CHECK(fs::exists(scratch / "other/plots/path-double.pdf"));
-    CHECK(yoke(scratch, run + "--paper single -o narrow").code == 0);
+    CHECK(run_yoke(scratch, run + "--paper single -o narrow").code == 0);
     CHECK(fs::exists(scratch / "narrow/plots/path-single.pdf"));
     CHECK(!fs::exists(scratch / "narrow/plots/path-double.pdf"));
-    const Outcome wrong = yoke(scratch, run + "--paper wide");
+    const Outcome wrong = run_yoke(scratch, run + "--paper wide");
     CHECK(wrong.code == 1);
     CHECK(contains(wrong.out, "--paper wide: accepted are single, double, both"));
   }
@@ -266,14 +207,14 @@ TEST_SUITE("program") {
     const TemporaryFolder scratch;
     const std::string run =
         "run scotch_yoke --paper single --no-report --set revolutions=1 --law table11-johnson -o ";
-    const Outcome without =
-        yoke(scratch, run + "none", "mkdir bin; ln -s $(command -v gnuplot) bin; PATH=$PWD/bin; ");
+    const Outcome without = run_yoke(scratch, run + "none",
+                                     "mkdir bin; ln -s $(command -v gnuplot) bin; PATH=$PWD/bin; ");
     CHECK(without.code == 0);
     CHECK(contains(without.out, "no films, because ffmpeg is not installed"));
     CHECK(fs::exists(scratch / "none/plots/mechanism_moving.gif"));
     CHECK(!fs::exists(scratch / "none/plots/mechanism_moving.webm"));
     if (std::system("command -v ffmpeg >/dev/null") != 0) return;
-    const Outcome drawn = yoke(scratch, run + "films");
+    const Outcome drawn = run_yoke(scratch, run + "films");
     CHECK_MESSAGE(contains(drawn.out, "*.gif, *.mp4, *.webm}"), drawn.out);
     CHECK(content(scratch / "films/plots/mechanism_moving.webm").starts_with("\x1a\x45\xdf\xa3"));
     CHECK(content(scratch / "films/plots/mechanism_moving.mp4").substr(4, 4) == "ftyp");
@@ -281,24 +222,24 @@ TEST_SUITE("program") {
 
   TEST_CASE("help, list and version") {
     const TemporaryFolder scratch;
-    const Outcome help = yoke(scratch, "run scotch_yoke --help");
+    const Outcome help = run_yoke(scratch, "run scotch_yoke --help");
     CHECK(help.code == 0);
     for (const char* text : {"crank_length", "default 45mm; 1 mm to 51.9 mm; units mm, cm, m, um",
                              "slider_start", "table11-esdu-78035", "arkode-projection", "--rtol"})
       CHECK_MESSAGE(contains(help.out, text), text);
-    const Outcome verb = yoke(scratch, "run --help");
+    const Outcome verb = run_yoke(scratch, "run --help");
     CHECK(verb.code == 0);
     CHECK(contains(verb.out, "scotch_yoke"));
-    const Outcome list = yoke(scratch, "list");
+    const Outcome list = run_yoke(scratch, "list");
     CHECK(list.code == 0);
     CHECK(contains(list.out, "table11-johnson-10mm"));
-    CHECK(yoke(scratch, "--version").out.starts_with("yoke 0."));
+    CHECK(run_yoke(scratch, "--version").out.starts_with("yoke 0."));
   }
 
   TEST_CASE("mistakes on the command line are explained and end with a failure") {
     const TemporaryFolder scratch;
     const auto message = [&](const std::string& arguments) {
-      const Outcome outcome = yoke(scratch, arguments);
+      const Outcome outcome = run_yoke(scratch, arguments);
       CHECK_MESSAGE(outcome.code != 0, arguments);
       CHECK_MESSAGE(outcome.out.starts_with("yoke: "), outcome.out);
       return outcome.out;
@@ -319,7 +260,7 @@ TEST_SUITE("program") {
   TEST_CASE("what would be passed over in silence is refused by name, value and range") {
     const TemporaryFolder scratch;
     const auto refused = [&](const std::string& arguments, const std::string& why) {
-      const Outcome outcome = yoke(scratch, arguments);
+      const Outcome outcome = run_yoke(scratch, arguments);
       CHECK_MESSAGE(outcome.code == 1, arguments);
       CHECK_MESSAGE(contains(outcome.out, why), outcome.out);
     };
@@ -347,15 +288,15 @@ TEST_SUITE("program") {
     const TemporaryFolder scratch;
     const std::string run =
         "run hanging_chain --formulation generalised-alpha --rtol 1e-5 --no-plots --samples 11 ";
-    CHECK(yoke(scratch, run + "-o default").code == 0);
-    CHECK(yoke(scratch, run + "--spectral-radius 0.8 -o same").code == 0);
-    CHECK(yoke(scratch, run + "--spectral-radius 0.3 --checkpoint 1s -o damped").code == 0);
+    CHECK(run_yoke(scratch, run + "-o default").code == 0);
+    CHECK(run_yoke(scratch, run + "--spectral-radius 0.8 -o same").code == 0);
+    CHECK(run_yoke(scratch, run + "--spectral-radius 0.3 --checkpoint 1s -o damped").code == 0);
     const auto steps = [&](const char* folder) {
       return nlohmann::json::parse(content(scratch / folder / "summary.json")).at("steps");
     };
     CHECK(content(scratch / "default/motion.csv") == content(scratch / "same/motion.csv"));
     CHECK(steps("damped") != steps("default"));
-    CHECK(yoke(scratch, "resume damped").code == 0);
+    CHECK(run_yoke(scratch, "resume damped").code == 0);
     CHECK(nlohmann::json::parse(content(scratch / "damped/run.json"))["spectral_radius"] == "0.3");
   }
 
@@ -363,7 +304,7 @@ TEST_SUITE("program") {
     const TemporaryFolder scratch;
     const std::string law = "impact --elastic power:K=1e8,n=1.5 ";
     const auto refused = [&](const std::string& arguments, const std::string& why) {
-      const Outcome outcome = yoke(scratch, arguments);
+      const Outcome outcome = run_yoke(scratch, arguments);
       CHECK_MESSAGE(outcome.code == 1, arguments);
       CHECK_MESSAGE(contains(outcome.out, why), outcome.out);
     };
@@ -374,23 +315,23 @@ TEST_SUITE("program") {
             "speed = 1 m/s with mass = 1e+30 kg would press at least 1000 m into the elastic law; "
             "accepted is a depth of 1e-09 to 1000 m: choose a smaller speed or mass");
     refused(law + "--mass 1 --speed 1e-9", "would press only 4.353e-11 m into the elastic law");
-    const Outcome slow = yoke(scratch, law + "--mass 1 --speed 1e-7 --format json");
+    const Outcome slow = run_yoke(scratch, law + "--mass 1 --speed 1e-7 --format json");
     CHECK(slow.code == 0);
     CHECK(nlohmann::json::parse(slow.out)["restitution"]["engine"].get<double>() ==
           doctest::Approx(1.0).epsilon(1e-4));
-    const Outcome range = yoke(scratch, law + "--mass 1 --speed 1 --restitution 2");
+    const Outcome range = run_yoke(scratch, law + "--mass 1 --speed 1 --restitution 2");
     CHECK(range.out ==
           "yoke: command line: --restitution = 2 is outside the accepted range 0 to 1\n");
   }
 
   TEST_CASE("a folder that cannot be written is named before anything runs") {
     const TemporaryFolder scratch;
-    const Outcome file = yoke(scratch, "run scotch_yoke -o taken/out", "touch taken; ");
+    const Outcome file = run_yoke(scratch, "run scotch_yoke -o taken/out", "touch taken; ");
     CHECK(file.code == 1);
     CHECK(contains(file.out, "cannot make the output folder 'taken/out'"));
     if (geteuid() != 0) {
       const Outcome locked =
-          yoke(scratch, "run scotch_yoke -o locked", "mkdir locked; chmod a-w locked; ");
+          run_yoke(scratch, "run scotch_yoke -o locked", "mkdir locked; chmod a-w locked; ");
       CHECK(locked.code == 1);
       CHECK(contains(locked.out, "cannot write into the output folder 'locked'"));
     }
@@ -423,7 +364,7 @@ TEST_SUITE("program") {
     const std::string run =
         "run scotch_yoke --law table11-johnson --samples 201 --set revolutions=1 --no-plots "
         "--checkpoint 0.01s -o ";
-    CHECK(yoke(scratch, run + "whole").code == 0);
+    CHECK(run_yoke(scratch, run + "whole").code == 0);
     const pid_t child =
         start("cd '" + scratch.path().string() + "'; " + program + " " + run + "cut >log 2>&1");
     const fs::path checkpoint = scratch / "cut/table11-johnson/checkpoint/checkpoint.bin";
@@ -431,31 +372,32 @@ TEST_SUITE("program") {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(child, SIGKILL);
     wait_for(child);
-    CHECK(yoke(scratch, "resume cut").code == 0);
+    CHECK(run_yoke(scratch, "resume cut").code == 0);
     for (const char* file : {"motion.csv", "events.csv"})
       CHECK(content(scratch / "cut/table11-johnson" / file) ==
             content(scratch / "whole/table11-johnson" / file));
-    const Outcome nothing = yoke(scratch, "resume nowhere");
+    const Outcome nothing = run_yoke(scratch, "resume nowhere");
     CHECK(nothing.code == 1);
     CHECK(contains(nothing.out, "there is no 'nowhere/run.json'"));
   }
 
   TEST_CASE("every case verifies and writes checkpoints") {
     const TemporaryFolder scratch;
-    CHECK(yoke(scratch, "run point_pendulum --verify --checkpoint 0.5s --no-plots -o out").code ==
-          0);
+    CHECK(
+        run_yoke(scratch, "run point_pendulum --verify --checkpoint 0.5s --no-plots -o out").code ==
+        0);
     const auto summary = nlohmann::json::parse(content(scratch / "out/summary.json"));
     CHECK(summary.at("verification").at("digits").size() > 10);
     CHECK(fs::exists(scratch / "out/checkpoint/checkpoint.bin"));
-    CHECK(yoke(scratch, "resume out").code == 0);
+    CHECK(run_yoke(scratch, "resume out").code == 0);
   }
 
   TEST_CASE("--verify writes how many digits of each quantity agree") {
     const TemporaryFolder scratch;
-    const Outcome outcome =
-        yoke(scratch,
-             "run scotch_yoke --law table11-johnson --samples 101 --set revolutions=0.3 --no-plots "
-             "--verify -o out");
+    const Outcome outcome = run_yoke(
+        scratch,
+        "run scotch_yoke --law table11-johnson --samples 101 --set revolutions=0.3 --no-plots "
+        "--verify -o out");
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.out, "digits that agree with ida-ggl at a tolerance of 1e-12"));
     const auto summary =
@@ -470,7 +412,7 @@ TEST_SUITE("program") {
   TEST_CASE("a full disk leaves no half of a file and is reported") {
     const TemporaryFolder scratch;
     const Outcome full =
-        yoke(scratch, "run scotch_yoke -o out --law johnson --no-plots", "ulimit -f 200; ");
+        run_yoke(scratch, "run scotch_yoke -o out --law johnson --no-plots", "ulimit -f 200; ");
     CHECK(full.code == 1);
     CHECK(contains(full.out, "cannot write 'out/johnson/motion.csv': "));
     const fs::path folder = scratch / "out" / "johnson";
@@ -478,7 +420,8 @@ TEST_SUITE("program") {
     CHECK(!fs::exists(folder / "motion.csv"));
     CHECK(!fs::exists(folder / "motion.csv.part"));
     // Nothing at all can be written: no file of zero bytes is left.
-    const Outcome none = yoke(scratch, "run point_pendulum -o none --no-plots", "ulimit -f 0; ");
+    const Outcome none =
+        run_yoke(scratch, "run point_pendulum -o none --no-plots", "ulimit -f 0; ");
     CHECK(none.code == 1);
     CHECK(!fs::exists(scratch / "none/summary.json"));
     CHECK(!fs::exists(scratch / "none/run.json"));
@@ -487,7 +430,7 @@ TEST_SUITE("program") {
   TEST_CASE("checkpoints too close to each other are refused, or warned of, before the run") {
     const TemporaryFolder scratch;
     const Outcome refused =
-        yoke(scratch, "run point_pendulum --checkpoint 1e-9s --no-plots -o refused");
+        run_yoke(scratch, "run point_pendulum --checkpoint 1e-9s --no-plots -o refused");
     CHECK(refused.code == 1);
     CHECK(contains(refused.out,
                    "checkpoints every 1e-09 s would be 1e+10 of them in 10 s; "
@@ -497,17 +440,17 @@ TEST_SUITE("program") {
 
   TEST_CASE("a run.json of before there was a spectral radius is a whole one") {
     const TemporaryFolder scratch;
-    CHECK(yoke(scratch, "run point_pendulum --checkpoint 5s --no-plots -o out").code == 0);
+    CHECK(run_yoke(scratch, "run point_pendulum --checkpoint 5s --no-plots -o out").code == 0);
     const std::string motion = content(scratch / "out/motion.csv");
     auto options = nlohmann::json::parse(content(scratch / "out/run.json"));
     CHECK(options.erase("spectral_radius") == 1);
     yoke::write_text(scratch / "out/run.json", options.dump());
-    const Outcome resumed = yoke(scratch, "resume out");
+    const Outcome resumed = run_yoke(scratch, "resume out");
     CHECK_MESSAGE(resumed.code == 0, resumed.out);
     CHECK(content(scratch / "out/motion.csv") == motion);
     CHECK(options.erase("samples") == 1);  // always there: this one is damaged
     yoke::write_text(scratch / "out/run.json", options.dump());
-    CHECK(contains(yoke(scratch, "resume out").out, "is damaged"));
+    CHECK(contains(run_yoke(scratch, "resume out").out, "is damaged"));
   }
 }
 

@@ -12,11 +12,11 @@
 #include <set>
 
 #include <yoke/cases/report/base64.hpp>
-#include <yoke/cases/report/contact_spans.hpp>
 #include <yoke/cases/report/page.hpp>
 #include <yoke/cases/report/page_text.hpp>
 #include <yoke/cases/report/replay.hpp>
 #include <yoke/cases/report/thinning.hpp>
+#include <yoke/cases/results/contact_spans.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/gear.hpp>
 #include <yoke/joints/revolute.hpp>
@@ -156,9 +156,9 @@ TEST_SUITE("report") {
     for (const auto& [name, unit] : {std::pair{"rod.x", "m"},
                                      {"rod.y", "m"},
                                      {"rod.angle", "rad"},
-                                     {"rod.vx", "m_per_s"},
-                                     {"rod.vy", "m_per_s"},
-                                     {"rod.omega", "rad_per_s"}})
+                                     {"rod.vx", "m/s"},
+                                     {"rod.vy", "m/s"},
+                                     {"rod.omega", "rad/s"}})
       table.add_column(name, unit);
     for (const double t : {0.0, 1.0}) {
       double* row = table.append();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/cases/report/contact_spans.hpp>
+#include <yoke/cases/results/contact_spans.hpp>
 
 #include <algorithm>
 #include <map>
