@@ -48,43 +48,42 @@ EventContext ElementEvents::context_of(const ForceSlot& slot) {
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system.dof()[static_cast<std::size_t>(slot.dofs + j)]; dof >= 0)
       local_acceleration_[static_cast<std::size_t>(j)] = state_.a[dof];
-  return {
-      .input = system.force_input(slot),
-      .contact = state_.contacts.data() + slot.contacts,
-      .z = state_.z.data() + slot.z,
-      .effective_mass = [this,
-                         &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
-      .acceleration = local_acceleration_.data(),
-      .dissipate =
-          [this, &slot](double joules) {
-            if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+  return {.input = system.force_input(slot),
+          .contact = state_.contacts.data() + slot.contacts,
+          .z = state_.z.data() + slot.z,
+          .effective_mass = [this,
+                             &slot](const double* d) { return dynamics_.effective_mass(slot, d); },
+          .acceleration = local_acceleration_.data(),
+          .dissipate =
+              [this, &slot](double joules) {
+                if (slot.dissipated >= 0) state_.energy[slot.dissipated] += joules;
+              },
+          .record =
+              [this, &slot](EventRecord record) {
+                record.t = state_.t;
+                record.element = slot.element->name();
+                result_.events.push_back(std::move(record));
+              },
+          .fail =
+              [this, &slot](std::string reason) {
+                stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
+              },
+          .stop =
+              [this, &slot] {
+                stop_(Stop::by_event,
+                      fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
+              },
+          .note =
+              [this, &slot](std::string text) {
+                add_note(fmt::format("'{}': {}", slot.element->name(), text));
+              },
+          .parameter = [this](std::string_view name) -> double& {
+            parameters_changed_ = true;
+            return state_.parameters[dynamics_.system().model().find_parameter(name)];
           },
-      .record =
-          [this, &slot](EventRecord record) {
-            record.t = state_.t;
-            record.element = slot.element->name();
-            result_.events.push_back(std::move(record));
-          },
-      .fail =
-          [this, &slot](std::string reason) {
-            stop_(Stop::failed, fmt::format("'{}': {}", slot.element->name(), reason));
-          },
-      .stop =
-          [this, &slot] {
-            stop_(Stop::by_event,
-                  fmt::format("event '{}' at t = {:.9g} s", slot.element->name(), state_.t));
-          },
-      .note =
-          [this, &slot](std::string text) {
-            add_note(fmt::format("'{}': {}", slot.element->name(), text));
-          },
-      .parameter = [this](std::string_view name) -> double& {
-        parameters_changed_ = true;
-        return state_.parameters[dynamics_.system().model().find_parameter(name)];
-      },
-      .parameters = state_.parameters.data(),
-      .impulse = [this](BodyId body, const Vec2& impulse,
-                        double angular) { strike(body, impulse, angular); }};
+          .parameters = state_.parameters.data(),
+          .impulse = [this](BodyId body, const Vec2& impulse,
+                            double angular) { strike(body, impulse, angular); }};
 }
 
 /// What an element says again and again is noted a few times only.

@@ -16,9 +16,12 @@
 #include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
+#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/drivers/displacement_driver.hpp>
+#include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/joints/prismatic.hpp>
@@ -423,6 +426,52 @@ TEST_CASE("coulomb: a disc that bounces and spins: formulations agree, the ledge
     CHECK(std::abs(here.final.v[2] - best.final.v[2]) < 1e5 * rtol);
     CHECK(here.summary.energy_balance < 1e3 * rtol * here.summary.energy_exchanged);
   }
+}
+
+TEST_CASE("coulomb: a blow is more than friction holds; it slides on and stops") {
+  const double mu = 0.3, speed = 0.7;
+  Model m = block(dry(mu, mu), 0.0);
+  const BodyId body = m.find_body("block");
+  m.add(EventFunction{.name = "blow",
+                      .function = [](const Motion& at) { return at.t - 0.1; },
+                      .action =
+                          [body, speed](const EventAction& e) {
+                            e.impulse(body, {2.0 * speed, 0.0}, 0.0);
+                          }});
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    const Result r = simulate(m, {.until = 1.0,
+                                  .relative_tolerance = tolerance_of(f, 1e-9),
+                                  .formulation = std::string(f.name),
+                                  .samples = 11});
+    REQUIRE(r.summary.ok());
+    const double way = speed * speed / (2.0 * mu * g);
+    CHECK(r.final.q[0] == Approx(way).epsilon(1e2 * tolerance_of(f, 1e-9)));
+    REQUIRE(times_of(r, "stick").size() == 2);
+    CHECK(times_of(r, "slip").size() == 1);
+    CHECK(times_of(r, "stick")[1] == Approx(0.1 + speed / (mu * g)).epsilon(1e-6));
+    CHECK(r.final.v[0] == 0.0);
+  }
+}
+
+TEST_CASE("coulomb: a load that is set beyond what friction holds moves it at once") {
+  const double mu = 0.3, limit = mu * 2.0 * g;
+  Model m = block(dry(mu, mu), 0.0);
+  m.add(AppliedForce{.name = "push", .body = m.find_body("block"), .value = Vec2(0.0, 0.0)});
+  Simulation run(m, {.until = 1.0, .relative_tolerance = 1e-9});
+  run.advance_to(0.2);
+  run.set("push.fx", 0.9 * limit);
+  run.advance_to(0.4);
+  CHECK(run.state().q[0] == 0.0);
+  CHECK(run.get("floor.friction_force_N") == Approx(0.9 * limit).epsilon(1e-9));
+  run.set("push.fx", 1.5 * limit);
+  run.advance_to(0.6);
+  const double a = 0.5 * mu * g, x = 0.5 * a * 0.04, v = a * 0.2;
+  CHECK(run.state().q[0] == Approx(x).epsilon(1e-8));
+  run.set("push.fx", 0.0);
+  run.advance_to(1.0);
+  CHECK(run.state().q[0] == Approx(x + v * v / (2.0 * mu * g)).epsilon(1e-8));
+  CHECK(run.state().v[0] == 0.0);
 }
 
 TEST_CASE("coulomb: wrong coefficients are named") {
