@@ -92,9 +92,16 @@ void RunOutput::watch(const Result& so_far) {
   }
   std::vector<OutputTable> tables = columns_->tables(so_far.samples, stride_);
   tables.push_back(event_table(so_far.events, choice_.from));
-  for (const OutputTable& table : tables)
-    growing_->append(table, expected_rows_, text_while_running);
-  growing_->flush();
+  try {
+    for (const OutputTable& table : tables)
+      growing_->append(table, expected_rows_, text_while_running);
+    growing_->flush();
+  } catch (const OutputError&) {  // a file that broke off within a chunk may not be readable
+    growing_.reset();
+    std::error_code ignored;
+    std::filesystem::remove(folder_ / hdf5_name, ignored);
+    throw;
+  }
   last_ = seconds_now();
 }
 

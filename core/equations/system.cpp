@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <yoke/core/equations/index.hpp>
 
@@ -385,7 +384,7 @@ Reaction System::reaction(std::size_t constraint, const double* lambda) const {
 void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {
   for (const ForceSlot& f : forces_) {
     double* local = Q_.data() + f.block;
-    std::memset(local, 0, sizeof(double) * at(f.columns));
+    std::fill_n(local, f.columns, 0.0);  // an element without bodies has none
     Energy energy;
     const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
     if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
