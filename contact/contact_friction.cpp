@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 //
 // Friction of a contact.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include <yoke/contact/details/contact_state.hpp>
