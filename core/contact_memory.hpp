@@ -36,7 +36,7 @@ struct ContactMemory {
   double permanent_set = 0.0;        // [m] residual indentation left by this contact
   double release_penetration = 0.0;  // [m] of the next onset, see contact_element.hpp
   bool past_kink = false;            // of the dissipative law, if its formula has one
-  Grip grip = Grip::none;
+  Grip grip = Grip::none;            // of friction that holds, if the law has it
   friend bool operator==(const ContactMemory&, const ContactMemory&) = default;
 };
 

@@ -128,6 +128,8 @@ class Dynamics {
   /// [kg] 1/(d A d^T), d [columns] in the local coordinates of a force element, with the
   /// factorisation of the last calc_accelerations.
   double effective_mass(const ForceSlot& slot, const double* direction);
+  /// [1/kg] The acceleration along such a direction for a unit of force along it, and in `alone` that of
+  /// the bodies without constraints; with the same factorisation.
   double mobility(const ForceSlot& slot, const double* direction, double& alone);
   /// [1/kg or 1/(kg m^2)] The acceleration of a coordinate for a unit of force on it; 0 where the
   /// constraints hold it. With the same factorisation.

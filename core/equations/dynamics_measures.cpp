@@ -62,8 +62,6 @@ std::vector<char> Dynamics::dropped_marks() const {
   return marks;
 }
 
-/// [1/kg] The acceleration along a direction for a unit of force along it; `alone` [1/kg]: of the
-/// bodies without constraints.
 double Dynamics::mobility(const ForceSlot& slot, const double* direction, double& alone) {
   std::fill(b_.begin(), b_.end(), 0.0);
   for (int j = 0; j < slot.columns; ++j)

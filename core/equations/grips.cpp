@@ -52,6 +52,14 @@ Sum product(const System& system, const ForceSlot& f, const Row& row, const Eige
   return sum;
 }
 
+/// [m/s] s v + s_t
+Sum sliding_speed(const System& system, const ForceSlot& f, const Row& row,
+                  const Eigen::VectorXd& v) {
+  Sum speed = product(system, f, row, v);
+  speed.add(row.drift);
+  return speed;
+}
+
 class Settlement {
  public:
   Settlement(Dynamics& dynamics, State& state, std::span<const ContactMemory> before)
@@ -99,8 +107,7 @@ class Settlement {
       const Grip earlier = before[at(f.contacts)].grip;
       c.broke = earlier == Grip::held || earlier == Grip::carried;
       c.direction = grip == Grip::forward ? 1.0 : -1.0;
-      Sum speed = product(system_, f, c.row, state_.v);
-      speed.add(c.row.drift);
+      const Sum speed = sliding_speed(system_, f, c.row, state_.v);
       const double slowest = 2.0 * slowest_sliding(system_.scales(), speed.size);
       if (std::abs(speed.value) > slowest) return;  // it slides
       c.rests = !c.broke;
@@ -217,9 +224,7 @@ bool let_go_of_grips(Dynamics& dynamics, State& state) {
   if (!dynamics.project_velocities(state.t, state.q.data(), state.v.data())) return false;
   system.set_motion(state.t, state.q.data(), state.v.data());
   for (const ForceSlot* f : rested) {
-    const Row row = row_of(system, *f);
-    Sum speed = product(system, *f, row, state.v);
-    speed.add(row.drift);
+    const Sum speed = sliding_speed(system, *f, row_of(system, *f), state.v);
     if (std::abs(speed.value) <= slowest_sliding(system.scales(), speed.size)) continue;
     state.contacts[at(f->contacts)].grip = speed.value > 0.0 ? Grip::forward : Grip::backward;
   }
