@@ -45,7 +45,7 @@
 //   fullest      lifted (below), where the law's force is largest over d: no transition, but a
 //                force that appeared and vanished within one step is detected.
 //   grip         where friction that holds reaches its limit, or sliding ends. What becomes of it is
-//                settled for all contacts together (core/equations/grips.hpp).
+//                settled for all contacts together (core/equations/grips/grips.hpp).
 //   failure      at 99 % of the largest penetration for which the elastic law is valid. Within the
 //                step that meets it, the law is continued along its tangent.
 // Two kinds of "apart" have a memory; memory.release_penetration distinguishes them:
@@ -82,6 +82,8 @@
 #include <yoke/core/force.hpp>
 
 namespace yoke {
+
+struct Sliding;  // core/equations/grips/grip_rules.hpp
 
 /// [m] The band around zero within which a penetration is not told from rounding: the geometric
 /// mean of the rounding of lengths and of a penetration, so as far above the one as below the other
@@ -152,10 +154,6 @@ class ContactElement final : public ForceElement {
     std::array<double, ContactKinematics::columns> gradient;
   };
 
-  struct Sliding {
-    double value, slowest;  // [m/s] the least that is told from rest
-  };
-
   /// The normal force, and its derivatives by the coordinates and velocities of both bodies.
   struct Pressure {
     double force = 0.0;
@@ -176,7 +174,6 @@ class ContactElement final : public ForceElement {
   bool slides(const ContactMemory& memory) const;
   bool holds(int region) const { return law(region).friction.holds(); }
   Sliding sliding_velocity(const ForceInput& in) const;
-  double calc_grip_event(const ForceInput& in) const;
   void handle_grip(EventContext& context) const;
   void take_grip(EventContext& context) const;
   void note_wedging(EventContext& context) const;

@@ -102,7 +102,7 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
       g[reload] = d - (memory.largest_penetration + touch(in));
   }
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
-  if (may_hold_) g[grip] = calc_grip_event(in);
+  if (may_hold_) g[grip] = calc_grip_event(*this, in, [&] { return sliding_velocity(in); });
   if (std::isfinite(limit_of(memory.region)))
     g[limit] = d - usable_share_of_limit * limit_of(memory.region);
 }

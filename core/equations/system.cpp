@@ -2,10 +2,13 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/core/equations/system.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include <yoke/core/equations/index.hpp>
+#include <yoke/core/error.hpp>
 
 namespace yoke {
 
@@ -164,9 +167,24 @@ void System::lay_out_forces() {
     parameters += static_cast<int>(f->parameters().size());
     contacts += f->contacts();
     events_ += f->events();
+    find_load(slot);
+    if (slot.load >= 0) loaded_.push_back(forces_.size());
     forces_.push_back(slot);
   }
   Q_.assign(at(block), 0.0);
+}
+
+void System::find_load(ForceSlot& slot) const {
+  const Constraint* joint = slot.element->loaded_by();
+  if (joint == nullptr) return;
+  for (const ConstraintSlot& c : joints()) {
+    if (c.element != joint) continue;
+    slot.load = c.row;
+    slot.load_rows = c.rows;
+    return;
+  }
+  throw ModelError(fmt::format("'{}' depends on the reaction of a joint that is not in the model",
+                               slot.element->name()));
 }
 
 double System::length_of_layout() {
@@ -265,6 +283,7 @@ void System::bind(const State& state) {
 void System::set_motion(double t, const double* q, const double* v) {
   motion_.t = t;
   hold_forces_known_ = false;
+  multipliers_ = nullptr;
   for (std::size_t i = 1; i < bodies_.size(); ++i, q += 3, v += 3) {
     BodyMotion& b = bodies_[i];
     b.x = q[0];
@@ -290,7 +309,9 @@ ForceInput System::force_input(const ForceSlot& slot) const {
           .rounding = rounding_,
           .hold = slot.row >= 0 && hold_forces_known_
                       ? hold_forces_.data() + (slot.row - joint_rows_)
-                      : nullptr};
+                      : nullptr,
+          .multipliers =
+              slot.load >= 0 && multipliers_ != nullptr ? multipliers_ + slot.load : nullptr};
 }
 
 void System::calc_position_level(double* phi) {
@@ -382,24 +403,35 @@ Reaction System::reaction(std::size_t constraint, const double* lambda) const {
 }
 
 void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {
-  for (const ForceSlot& f : forces_) {
-    double* local = Q_.data() + f.block;
-    std::fill_n(local, f.columns, 0.0);  // an element without bodies has none
-    Energy energy;
-    const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
-    if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
-    f.element->evaluate(force_input(f),
-                        {.Q = local,
-                         .z_dot = f.states > 0 && z_dot != nullptr ? z_dot + f.z : nullptr,
-                         .energy = wants_energy ? &energy : nullptr});
-    for (int j = 0; j < f.columns; ++j) {
-      const int dof = dof_[at(f.dofs + j)];
-      Q[dof < 0 ? dofs_ : dof] += local[j];
-    }
-    if (!wants_energy) continue;
-    if (f.dissipated >= 0) quadrature_rates[f.dissipated] = energy.dissipated_power;
-    if (f.supplied >= 0) quadrature_rates[f.supplied] = energy.supplied_power;
+  for (const ForceSlot& f : forces_) add_force(f, Q, z_dot, quadrature_rates);
+}
+
+void System::add_unloaded_forces(double* Q, double* z_dot, double* quadrature_rates) {
+  for (const ForceSlot& f : forces_)
+    if (f.load < 0) add_force(f, Q, z_dot, quadrature_rates);
+}
+
+void System::add_loaded_forces(double* Q, double* z_dot, double* quadrature_rates) {
+  for (const std::size_t i : loaded_) add_force(forces_[i], Q, z_dot, quadrature_rates);
+}
+
+void System::add_force(const ForceSlot& f, double* Q, double* z_dot, double* quadrature_rates) {
+  double* local = Q_.data() + f.block;
+  std::fill_n(local, f.columns, 0.0);  // an element without bodies has none
+  Energy energy;
+  const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
+  if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
+  f.element->evaluate(force_input(f),
+                      {.Q = local,
+                       .z_dot = f.states > 0 && z_dot != nullptr ? z_dot + f.z : nullptr,
+                       .energy = wants_energy ? &energy : nullptr});
+  for (int j = 0; j < f.columns; ++j) {
+    const int dof = dof_[at(f.dofs + j)];
+    Q[dof < 0 ? dofs_ : dof] += local[j];
   }
+  if (!wants_energy) return;
+  if (f.dissipated >= 0) quadrature_rates[f.dissipated] = energy.dissipated_power;
+  if (f.supplied >= 0) quadrature_rates[f.supplied] = energy.supplied_power;
 }
 
 void System::add_driver_power(const double* lambda, double* quadrature_rates) {
@@ -427,6 +459,16 @@ void System::calc_events(double* g) const {
 void System::blame_event(int slot) {
   for (const ForceSlot& f : forces_)
     if (slot >= f.events && slot < f.events + f.element->events()) not_finite_ = f.element->name();
+}
+
+void System::blame_wedged(const ForceSlot& force) {
+  not_finite_ = force.element->name();
+  wedged_ = true;
+}
+
+void System::forget_wedged() {
+  if (wedged_) not_finite_.clear();
+  wedged_ = false;
 }
 
 void System::blame_not_finite() {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <yoke/core/equations/grips.hpp>
+#include <yoke/core/equations/grips/grips.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -134,7 +134,7 @@ void ElementEvents::handle(const std::vector<int>& fired) {
   begin();
   state_.handled.clear();
   state_.handled_at = state_.t;
-  if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state_.lambda.data());
+  if (dynamics_.system().looks_at_reactions()) dynamics_.share_hold_forces(state_.lambda.data());
   // A blow may take more of them across zero, which are handled too, and may strike in turn.
   fired_ = fired;
   for (std::size_t i = 0; i < fired_.size(); ++i) {

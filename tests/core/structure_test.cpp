@@ -32,9 +32,9 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
     {"core",
-     {"core", "core/equations", "core/authoring", "core/control", "core/curves/pieces",
-      "core/curves", "core/drawing", "core/output"}},
-    {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
+     {"core", "core/equations", "core/equations/grips", "core/authoring", "core/control",
+      "core/curves/pieces", "core/curves", "core/drawing", "core/output"}},
+    {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints/friction", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
       "contact/laws/friction", "contact/laws/catalog", "contact/geometry", "contact/details",

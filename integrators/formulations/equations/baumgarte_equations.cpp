@@ -40,6 +40,7 @@ bool BaumgarteEquations::calc_residual(double t, const double* y, const double* 
   double* r_v = residual + v();
   double* r_z = residual + z();
   std::ranges::fill(force_, 0.0);
+  system_.set_multipliers(lambda_.kept(y + lambda()));
   system_.add_forces(force_.data(), r_z, nullptr);
   system_.subtract_constraint_forces(lambda_.kept(y + lambda()), force_.data());
   double sum = 0.0;
