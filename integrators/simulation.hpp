@@ -31,6 +31,7 @@ struct Snapshot {
   std::string formulation;      // by which the run goes on
   double tolerance_kept = 0.0;  // as in Summary
   std::vector<int> left_out;    // redundant equations
+  Eigen::VectorXd v_taken;  // as state.v was; where that has been changed, friction at rest lets go
 };
 
 class Simulation {

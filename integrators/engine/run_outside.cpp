@@ -4,6 +4,7 @@
 // What is done to a run from outside: looks, changes of parameters, going back.
 #include <yoke/integrators/engine/run.hpp>
 
+#include <yoke/core/equations/grips/grips.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 
@@ -115,7 +116,8 @@ Snapshot Run::snapshot() {
           .initial_energy = samples_->ledger().initial,
           .formulation = std::string(entry_.name),
           .tolerance_kept = result_.summary.tolerance_kept,
-          .left_out = dynamics_.system().left_out_rows()};
+          .left_out = dynamics_.system().left_out_rows(),
+          .v_taken = shown().v};
 }
 
 void Run::restore(const Snapshot& s) {
@@ -129,7 +131,9 @@ void Run::restore(const Snapshot& s) {
   const std::vector<int> left_out = dynamics_.system().left_out_rows();
   dynamics_.leave_out(s.left_out);
   dynamics_.reset();
-  if (!dynamics_.project(state)) {
+  // A velocity that has been given is a blow, which friction does not hold.
+  const bool struck = state.v != s.v_taken;
+  if ((struck && !let_go_of_grips(dynamics_, state)) || !dynamics_.project(state)) {
     dynamics_.leave_out(left_out);
     dynamics_.system().bind(state_);
     throw ModelError(not_projected("restored ", state.t));
@@ -155,6 +159,7 @@ void Run::restore(const Snapshot& s) {
   stopped_ = ended_ = stale_ = stiffness_changed_ = false;
   standstill_.start(state_.t, {.start = state_.t});
   disturb();
+  if (struck) elements_.settle();
   make_formulation();
 }
 

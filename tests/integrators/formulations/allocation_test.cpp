@@ -13,10 +13,13 @@
 #include <cmath>
 #include <string>
 
+#include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/core/control/sampled_controller.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/revolute.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 #include <yoke/tests/integrators/relaxing_spring.hpp>
 
@@ -99,6 +102,25 @@ TEST_CASE("a pendulum that turns through all poses allocates only for fresh fact
     // KLU allocates about a dozen blocks for a factor with new pivots.
     CHECK(c.allocations <= 16 * c.fresh);
     CHECK(c.fresh < 40);
+  }
+}
+
+TEST_CASE("friction of joints, in the equations and between its events, allocates nothing") {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "cvode-projection", "generalised-alpha"}) {
+    INFO(formulation);
+    const PinFriction pin{.law = RegularisedCoulomb{.mu = 0.2, .threshold = 0.1}, .radius = 0.02};
+    Model model;
+    const BodyId upper =
+        model.add(Body{.name = "upper", .mass = 1.0, .inertia = 0.1, .pose = {{0.5, 0.0}, 0.0}});
+    const BodyId lower =
+        model.add(Body{.name = "lower", .mass = 1.0, .inertia = 0.1, .pose = {{1.5, 0.0}, 0.0}});
+    model.add(Revolute{.name = "pivot", .a = ground, .b = upper, .friction = pin});
+    model.add(Revolute{.name = "elbow", .a = upper, .b = lower, .at = {1.0, 0.0}, .friction = pin});
+    model.add(Gravity{});
+    const Count c = count(model, {.until = 1.0, .formulation = formulation});
+    CHECK(c.steps > 50);
+    CHECK(c.allocations <= 16 * c.fresh);
   }
 }
 
