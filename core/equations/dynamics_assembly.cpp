@@ -65,6 +65,10 @@ Outcome Dynamics::finish_assembly(State& state) {
   if (calc_accelerations(state)) return {};
   if (system_.not_finite().empty())
     return {false, "masses and joints do not determine the accelerations at the start pose"};
+  if (system_.wedged())
+    return {false,
+            fmt::format("'{}' wedges at the start pose: no force satisfies the reaction it makes",
+                        system_.not_finite())};
   return {false, fmt::format("accelerations at the start are not finite because of '{}'",
                              system_.not_finite())};
 }

@@ -384,6 +384,48 @@ TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in ev
   }
 }
 
+TEST_CASE(
+    "joint friction: a block whose friction tips it onto its guide wedges, and the run says so") {
+  // Friction along the guide, h below the centre of mass, has the moment T h about the block's middle,
+  // whose ends then press with 2 T h/L: more than T/mu where 2 mu h > L.
+  const auto run = [](double h) {
+    Model model;
+    const BodyId block = model.add(Body{.name = "block",
+                                        .mass = 2.0,
+                                        .inertia = 0.01,
+                                        .pose = {{0.0, h}, 0.0},
+                                        .twist = {{1.0, 0.0}, 0.0}});
+    model.add(Gravity{});
+    model.add(Prismatic{.name = "guide",
+                        .a = ground,
+                        .b = block,
+                        .at = Vec2(0.0, 0.0),
+                        .friction = GuideFriction{.law = Coulomb{0.5, 0.5}, .length = 0.1}});
+    return simulate(model, {.until = 0.05, .samples = 3});
+  };
+  const Result slides = run(0.09);  // 2 mu h/L = 0.9
+  REQUIRE(slides.summary.ok());
+  CHECK(slides.final.v[0] == Approx(1.0 - 0.5 * g * 0.05).epsilon(1e-6));
+  const Result wedges = run(0.11);
+  CHECK(!wedges.summary.ok());
+  CHECK_MESSAGE(contains(wedges.summary.reason, "'guide.friction' wedges"), wedges.summary.reason);
+}
+
+TEST_CASE("joint friction: mechanics solve for it at forces given") {
+  const SliderCrank m{.speed = 6.0, .law = Coulomb{0.2, 0.2}};
+  const Model model = m.model();
+  const Result r = simulate(model, {.until = 0.01, .relative_tolerance = 1e-10, .samples = 2});
+  Mechanics mechanics(model);
+  mechanics.at(r.final);
+  Eigen::VectorXd a(9), lambda(mechanics.equations());
+  mechanics.accelerations(Eigen::VectorXd::Zero(9), a, lambda);
+  CHECK((a - r.final.a).norm() < 1e-10 * r.final.a.norm());
+  // As much inertia force as the accelerations: what balances the friction.
+  CHECK((mechanics.mass_matrix().cwiseProduct(a) - mechanics.forces() +
+         mechanics.constraint_jacobian().transpose() * lambda)
+            .norm() < 1e-9 * lambda.norm());
+}
+
 TEST_CASE("joint friction: a run taken up while joints stick gives the same bits") {
   SliderCrank m{.speed = 4.0, .press = 20.0};
   m.torque = [](double t) { return 3.0 * std::sin(20.0 * t); };
