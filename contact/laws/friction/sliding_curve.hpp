@@ -18,8 +18,8 @@ namespace yoke {
 template <class Law>
 struct FrictionField {
   const char* name;
-  const char* unit;  // "" for a number without one
-  double Law::*value;
+  const char* unit;    // "" for a number without one
+  double Law::*value;  // where it is stored
 };
 
 /// A coefficient of friction and its derivative by the sliding velocity.
