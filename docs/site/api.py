@@ -41,29 +41,6 @@ MACRO_EXPANSION = NO
 PREDEFINED = DOXYGEN
 """
 
-ROOMS = {
-    "core": "models, states, results, what elements are",
-    "core/authoring": "elements of your own, checks of derivatives",
-    "core/control": "controllers that sample",
-    "core/curves": "curves as values",
-    "core/drawing": "what a mechanism looks like",
-    "core/output": "files written whole or not at all",
-    "joints": "joints that are constraints",
-    "joints/drivers": "prescribed motions",
-    "joints/forces": "gravity, springs, dampers, loads",
-    "contact": "contacts and clearances",
-    "contact/geometry": "shapes of what touches",
-    "contact/laws": "what a contact law is; materials",
-    "contact/laws/elastic": "elastic laws",
-    "contact/laws/dissipative": "dissipative laws",
-    "contact/laws/friction": "friction laws",
-    "contact/laws/forms": "forms that several laws share",
-    "contact/laws/catalog": "laws by name",
-    "integrators": "runs: to the end, and as an object",
-    "integrators/analyses": "analyses other than time integration",
-}
-
-
 @dataclass
 class Symbol:
     name: str
@@ -367,7 +344,7 @@ def page(header, links):
     title, room = header.path, header.path.rsplit("/", 1)[0]
     up = "../" * room.count("/") + "../" + room.replace("/", "-")
     # Not in the navigation, which would double: the page of the room lists it.
-    out = [":orphan:", "", title, "=" * len(title), "", f":doc:`API <{'../' * (room.count('/') + 1)}index>` / :doc:`{room}/ <{up}>`", "",
+    out = [":orphan:", "", title, "=" * len(title), "", f":doc:`API </api>` / :doc:`{room}/ <{up}>`", "",
            ".. code-block:: cpp", "",
            f"   #include <yoke/{header.path}>", ""]
     if header.head:
@@ -424,7 +401,7 @@ def all_links(headers, up):
 
 
 def write(headers, folder):
-    """One page a header, one a room, and one that lists the rooms."""
+    """One page a header, one a room; docs/api.md has the list of the rooms, and gets them below it."""
     rooms = {}
     for h in headers:
         rooms.setdefault(h.path.rsplit("/", 1)[0], []).append(h)
@@ -436,22 +413,17 @@ def write(headers, folder):
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(page(h, links))
         flat_name = room.replace("/", "-")
-        out = [room + "/", "=" * (len(room) + 1), "", ROOMS.get(room, "").capitalize() + ".", "",
-               ".. list-table::", "   :widths: 40 60", ""]
+        out = [room + "/", "=" * (len(room) + 1), "", ".. list-table::", "   :widths: 40 60", ""]
         for h in inside:
             out += [f"   - - :doc:`{h.path.rsplit('/', 1)[1]} <{h.path[:-4]}>`",
                     f"     - {escaped(first_sentence(h.head))}"]
         (folder / f"{flat_name}.rst").write_text("\n".join(out) + "\n")
-    out = ["API", "===", "",
-           "Every public header, by rooms. A program includes all of them by ``#include <yoke/yoke.hpp>``, or one "
-           "by its path, as ``#include <yoke/core/model.hpp>``.", "", ".. list-table::", "   :widths: 40 60", ""]
-    for room in rooms:
-        out += [f"   - - :doc:`{room}/ <{room.replace('/', '-')}>`", f"     - {ROOMS.get(room, '')}"]
-    out += ["   - - :doc:`names`", "     - all names, by the alphabet", "", ".. toctree::", "   :hidden:", ""]
-    out += [f"   {room}/ <{room.replace('/', '-')}>" for room in rooms] + ["   names"]
-    (folder / "index.rst").write_text("\n".join(out) + "\n")
     (folder / "names.rst").write_text(names_page(headers))
     (folder / "names.json").write_text(json.dumps(all_links(headers, "api/")))
+    with folder.with_suffix(".md").open("a") as page_of_all:
+        page_of_all.write("\n[All names](api/names.rst), by the alphabet.\n\n```{toctree}\n:hidden:\n\n"
+                          + "".join(f"{room}/ <api/{room.replace('/', '-')}>\n" for room in rooms)
+                          + "All names <api/names>\n```\n")
 
 
 def names_page(headers):

@@ -15,7 +15,7 @@ author = "the Yoke authors"
 copyright = "2026 the Yoke authors"
 release = re.search(r'version = "([\d.]+)"', (ROOT / "core/version.hpp").read_text()).group(1)
 
-extensions = ["myst_parser", "sphinx.ext.graphviz", "katex_math", "site_links"]
+extensions = ["myst_parser", "sphinx.ext.graphviz", "katex_math", "site_links", "offline_search"]
 root_doc = "index"
 exclude_patterns = []
 nitpicky = True

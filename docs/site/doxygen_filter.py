@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright 2026 the Yoke authors
 """What Doxygen reads in place of a header: the comments that document, as they stand.

@@ -300,9 +300,10 @@ class Picture:
         carries = {s["body"] for s in shapes if s["kind"] == "wall"}
         order = sorted(range(1, len(bodies)), key=lambda i: (i not in carries, -size(i)))
         for i in order:
-            lines = "".join(self.line(s, self.own) for s in shapes
-                            if s["kind"] == "line" and s["body"] == i and s["role"] == "contact")
-            out.append(self.moving(i, lines + self.body(i)))
+            lines = [s for s in shapes if s["kind"] == "line" and s["body"] == i]
+            walls = "".join(self.line(s, self.own) for s in lines if s["role"] == "contact")
+            guides = "".join(self.line(s, self.own) for s in lines if s["role"] != "contact")
+            out.append(self.moving(i, walls + self.body(i) + guides))
         out += [self.between(s) for s in shapes if s["kind"] in ("spring", "rod")]
         for layer in (("curve", "gear", "disc"), ("block", "weld", "pin", "point")):
             for i in range(len(bodies)):
