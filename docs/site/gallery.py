@@ -13,9 +13,12 @@ from pathlib import Path
 
 import moving
 
-# How a case is run for its page, where its own defaults are long or show little. Parameters, the law whose run
-# is shown, and the stretch [s] and the duration [s] of the animation.
+# How a case is run for its page, where that is not by its defaults under its first law: parameters, laws,
+# and the stretch [s] that the animation shows.
 SHOWN = {
+    "scotch_yoke": {"law": ["johnson", "table11-johnson"]},
+    "slider_crank_clearance": {"set": ["turns=2"]},
+    "leaning_rod": {"set": ["angle=50deg"]},
 }
 
 
@@ -38,28 +41,33 @@ def run(command):
 
 
 def replay_in(folder):
-    """What is to be animated: of several laws the first in the alphabet that has a run."""
+    """What is to be animated: of several laws the first in the alphabet."""
     found = sorted(folder.rglob("replay.json"))
     return json.loads(found[0].read_text())
 
 
-def make_case(yoke, name, runs, pictures, quick):
+def first_law(yoke, name):
+    """[the first law a case offers], or none."""
+    help_ = subprocess.run([yoke, "run", name, "--help"], capture_output=True, text=True, check=True).stdout
+    found = re.search(r"^Laws \(--law NAME\)\n +(\S+)", help_, flags=re.M)
+    return [found.group(1)] if found else []
+
+
+def command_of(yoke, name):
     shown = SHOWN.get(name, {})
+    words = [w for setting in shown.get("set", []) for w in ("--set", setting)]
+    return ["run", name] + words + [w for law in shown.get("law", first_law(yoke, name)) for w in ("--law", law)]
+
+
+def make_case(yoke, name, runs, pictures, quick):
     run([yoke, "view", name, "-o", runs / name])
     (pictures / f"{name}.svg").write_text(moving.still(moving.replay_of_page(runs / name / "view.html")))
     if quick:
         return
     folder = runs / name / "run"
-    command = [yoke, "run", name, "--quiet", "--no-plots", "--samples", "801", "--jobs", "1", "-o", folder]
-    for setting in shown.get("set", []):
-        command += ["--set", setting]
-    for law in shown.get("law", []):
-        command += ["--law", law]
-    run(command)
-    replay = replay_in(folder)
-    begin, end = shown.get("stretch", (None, None))
-    (pictures / f"{name}-moving.svg").write_text(
-        moving.animation(replay, begin, end, shown.get("seconds", 5.0)))
+    run([yoke, *command_of(yoke, name), "--quiet", "--no-plots", "--samples", "801", "--jobs", "1", "-o", folder])
+    begin, end = SHOWN.get(name, {}).get("stretch", (None, None))
+    (pictures / f"{name}-moving.svg").write_text(moving.animation(replay_in(folder), begin, end, 5.0))
 
 
 def write(root, source, runs, yoke, quick):
@@ -85,7 +93,9 @@ def write(root, source, runs, yoke, quick):
     for name in names:
         page = source / f"cases/{name}.md"
         kind = name if quick else f"{name}-moving"
-        below = "" if quick else f'<p><a href="../reports/{name}.html">The report of this run</a>: mechanism, lens, plots.</p>'
+        said = html.escape(" ".join(["yoke", *command_of(yoke, name)])) if not quick else ""
+        below = "" if quick else (f'<p><code>{said}</code><br><a href="../reports/{name}.html">The report of this run</a>: '
+                                  "mechanism, lens, plots.</p>")
         figure = f'<div class="moving"><img src="../pictures/gallery/{kind}.svg" alt="{name}, drawn from its geometry">{below}</div>'
         title, _, rest = page.read_text().partition("\n")
         page.write_text(f"{title}\n\n```{{raw}} html\n{figure}\n```\n{rest}")

@@ -275,10 +275,12 @@ class Picture:
             return "M" + "L".join(f"{x:.0f} {y:.0f}" for x, y in points)
 
         style = f'fill="none" stroke="{INK if s["kind"] == "rod" else "#3d8f5f"}" stroke-width="{3 if s["kind"] == "rod" else 1.6}"'
+        ends = [self.screen(*s["points"][k:k + 2]) for body, k in ((s["body"], 0), (s["other"], 2)) if body == 0]
+        feet = "".join(self.foot(p) + self.circle(p, 3.5, f'fill="{PAPER}" stroke="{INK}" stroke-width="1.4"') for p in ends)
         if self.frames == 1:
-            return f'<path d="{text(shape(self.times[0]))}" {style}/>'
+            return f'{feet}<path d="{text(shape(self.times[0]))}" {style}/>'
         values = ";".join(text(shape(t)) for t in self.times)
-        return (f'<path {style}><animate attributeName="d" values="{values}" dur="{self.seconds:g}s" '
+        return (f'{feet}<path {style}><animate attributeName="d" values="{values}" dur="{self.seconds:g}s" '
                 f'repeatCount="indefinite"/></path>')
 
     def svg(self):
