@@ -23,14 +23,14 @@ namespace yoke {
 
 /// A disc of a body, or a point of it.
 struct Disc {
-  BodyId body;
+  BodyId body;          // that carries it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] >= 0; 0 is a point
 };
 
 /// A circular hole, or the bore of a bearing.
 struct Hole {
-  BodyId body;
+  BodyId body;          // that has it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] greater than the disc's
 };

@@ -43,15 +43,15 @@ struct SlotLaws {
 
 /// A round pin of a body.
 struct Pin {
-  BodyId body;
+  BodyId body;          // that carries it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] > 0, smaller than the half-width of the slot
 };
 
 /// A slot and the body that has it.
 struct SlotOn {
-  BodyId body;
-  Slot slot;  // placed by global geometry in the start pose: arc_slot({...})
+  BodyId body;  // that has it
+  Slot slot;    // placed by global geometry in the start pose: arc_slot({...})
 };
 
 /// m.add(PinInSlot{.name = "slot", .pin = {crank, tip, 7.9_mm}, .slot = {slider, arc_slot({...})},

@@ -16,7 +16,7 @@ enum class Coordinate { x, y, angle };  ///< of a body: its centre of mass [m] a
 
 /// One coordinate of a body with a value, or its rate.
 struct CoordinateValue {
-  std::string body;
+  std::string body;                           // its name
   Coordinate coordinate = Coordinate::angle;  // which one
   double value = 0.0;                         // [m, rad] or [m/s, rad/s]
 };
@@ -24,7 +24,7 @@ struct CoordinateValue {
 /// Selects one of several assemblies: that in which the coordinate lies within `within` of the
 /// value. Angles are compared without whole turns.
 struct Near {
-  std::string body;
+  std::string body;                           // its name
   Coordinate coordinate = Coordinate::angle;  // which one
   double value = 0.0;                         // [m, rad]
   double within = 0.0;  // [m, rad] > 0; 0: a quarter turn, or half the length scale

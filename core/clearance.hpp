@@ -20,8 +20,8 @@ class Curve;
 
 /// A joint between a and b, global, in the start pose.
 struct JointPlace {
-  std::string name;
-  BodyId a, b;
+  std::string name;              // of the joint
+  BodyId a, b;                   // that it joins
   Vec2 at{0.0, 0.0};             // [m] its point
   Vec2 along{1.0, 0.0};          // its direction, a unit vector, where it has one
   const Curve* curve = nullptr;  // carried by b, where it has one

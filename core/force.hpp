@@ -25,7 +25,7 @@ class Model;
 /// A number that may be changed from run to run without building the model again. It lives in the
 /// State under "element.name".
 struct Parameter {
-  std::string name;
+  std::string name;                                       // as "stiffness"
   std::string unit;                                       // as "N/m"
   double value = 0.0;                                     // default, in the unit
   double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted

@@ -44,7 +44,7 @@ struct MotionValue {
 /// A rise from 0 to 1 while x goes from 0 to 1, with exact derivatives. A law of your own is a name
 /// and a function: {"parabola", [](double x) { return MotionValue{...}; }}.
 struct MotionLaw {
-  std::string_view name;
+  std::string_view name;                  // for messages
   MotionValue (*at)(double x) = nullptr;  ///< for 0 <= x <= 1
 };
 

@@ -55,7 +55,7 @@ struct Twist {
 /// free: "'rod': no mass and free to turn". The frame of a body without mass is where the user puts
 /// it. Its motion may end at an impasse, see docs/start_and_redundancy.md.
 struct Body {
-  std::string name;
+  std::string name;      // unique in the model: columns and messages use it
   double mass = 0.0;     // [kg], >= 0
   double inertia = 0.0;  // [kg m^2] about the centre of mass, >= 0
   Pose pose{};           // at the start; assembly corrects it if the joints require it

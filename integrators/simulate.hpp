@@ -77,7 +77,7 @@ State assembled_state(const Model& model);
 /// Name and description of a formulation, the index of its equations and the family of its method;
 /// verify() uses the latter two to choose an independent formulation.
 struct FormulationNote {
-  std::string_view name;
+  std::string_view name;         // as SimulationOptions::formulation takes it
   std::string_view description;  // a line
   int index = 1;                 // of its equations
   std::string_view family;       // of its method

@@ -10,9 +10,9 @@
 namespace yoke {
 
 struct Material {
-  double E = 0.0;   // [Pa] Young's modulus, > 0
-  double nu = 0.0;  // Poisson's ratio, -1 < nu <= 0.5
-  std::string name = "material";
+  double E = 0.0;                 // [Pa] Young's modulus, > 0
+  double nu = 0.0;                // Poisson's ratio, -1 < nu <= 0.5
+  std::string name = "material";  // for messages
 };
 
 // The values the paper's tables were made with.

@@ -50,7 +50,7 @@ struct Shape {
 
 /// One body; see draw().
 struct DrawnBody {
-  std::string name;
+  std::string name;  // as in the model
   std::vector<Vec2>
       outline{};          // none: nothing but its centre of mass; one point: a mass at a joint
   bool given = false;     // by Body::outline: a closed polygon, to be drawn as it is

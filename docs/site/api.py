@@ -136,7 +136,14 @@ def signature_of(node):
     initial = " " + initial if initial.startswith("=") else initial
     if len(initial) > 80 or "\n" in initial:
         initial = ""
-    return f"{front}{type_} {name}{args}{initial}".replace("  ", " ").strip().replace("\n ", "\n")
+    return tidied(f"{front}{type_} {name}{args}{initial}".replace("  ", " ").strip().replace("\n ", "\n"))
+
+
+def tidied(text):
+    """Spaces as the headers have them: std::vector<Vec2>, const Model& model."""
+    text = re.sub(r"< (?=\S)", "<", text)
+    text = re.sub(r"(?<=[\w>*&]) (?=>)", "", text)
+    return re.sub(r" ([&*]+) ?(?=[\w)])", r"\1 ", text).replace("& )", "&)").replace("* )", "*)")
 
 
 def place(node, headers):
@@ -175,7 +182,7 @@ def compound(node, compounds, headers):
     bases = [flat(b) for b in node.findall("basecompoundref") if b.get("prot") == "public"]
     front = template_of(node)
     if kind == "concept":
-        signature = flat(node.find("initializer"))
+        signature = concept_source((headers / file).read_text().split("\n"), line - 1)
     else:
         signature = f"{front}{kind} {name}" + (" : " + ", ".join(bases) if bases else "")
     symbol = Symbol(full, kind, signature, doc_of(node), file, line, node.get("prot") == "protected",
@@ -202,6 +209,17 @@ def share(symbols):
             overload = other.name == s.name and s.kind == "function" and other.kind == "function"
             if other.text and (one_line or overload):
                 s.text = other.text if one_line else "Overload: see " + s.name + "()."
+
+
+def concept_source(lines, begin):
+    """A concept as its header has it, without comments: Doxygen puts it on one line."""
+    end = begin
+    while end < len(lines) - 1 and not lines[end].startswith("};"):
+        end += 1
+    while begin > 0 and lines[begin - 1].startswith("template"):
+        begin -= 1
+    text = "\n".join(lines[begin:end + 1])
+    return re.sub(r"\n */\*\*.*?\*/", "", text, flags=re.S)
 
 
 def read(root, work):
@@ -255,7 +273,7 @@ def complete(symbol, outer, classes, silent):
     if not symbol.text and outer and symbol.kind == "function":
         symbol.text = common_members.inherited(symbol, outer.bases, classes)
     if not symbol.text:
-        symbol.text = common_members.text_of(symbol, outer.name if outer else "")
+        symbol.text = common_members.text_of(symbol, outer)
     if not symbol.text:
         silent.append(f"{symbol.file}:{symbol.line}: {full}")
     # `enum class Side { left, right };  // of the curve`: the comment says what there is to say.
@@ -378,7 +396,7 @@ def grouped(symbols):
 def first_sentence(text):
     text = re.split(r"\n\n|\n {2,}", text)[0].replace("\n", " ")
     found = re.match(r"(.+?[.:;])(?: |$)", text)
-    return (found.group(1) if found else text).rstrip(".:;")
+    return (found.group(1) if found else text).rstrip(".:;,")
 
 
 def all_links(headers, up):

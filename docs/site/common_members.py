@@ -5,13 +5,17 @@ import re
 
 LAW = "contact/laws/"
 
+# Of descriptions, which Model::add takes.
+OF_DESCRIPTIONS = {
+    "name": "Unique in the model: columns and messages use it.",
+    "body": "The body it acts on.",
+    "a": "The first body; the ground is `ground`.",
+    "b": "The second body; the ground is `ground`.",
+    "law": "The contact law: elastic, dissipative, friction.",
+}
+
 # (kind, name, where, text); the first that fits. `where` is the beginning of the header's path.
 SAID = [
-    ("variable", "name", "", "Unique in the model: columns and messages use it."),
-    ("variable", "body", "", "The body it acts on."),
-    ("variable", "a", "", "The first body; the ground is `ground`."),
-    ("variable", "b", "", "The second body; the ground is `ground`."),
-    ("variable", "law", "contact/", "The contact law: elastic, dissipative, friction."),
     ("function", "build", "", "Makes the element, placed by the start pose of the model; Model::add calls it. Throws ModelError."),
     ("function", "elements", "", "Makes the elements, placed by the start pose of the model; Model::add calls it. Throws ModelError."),
     ("variable", "fields", LAW + "friction/", "The parameters by name, with units and ranges: for the catalogue and `check`."),
@@ -39,7 +43,9 @@ COPIES = "Copies and moves as a value."
 def text_of(symbol, outer):
     if symbol.name == "operator=":
         return COPIES
-    if outer and symbol.name == outer.split("::")[-1]:
+    if outer and any(m.name in ("build", "elements") for m in outer.members) and symbol.name in OF_DESCRIPTIONS:
+        return OF_DESCRIPTIONS[symbol.name]
+    if outer and symbol.name == outer.name.split("::")[-1]:
         own = re.escape(symbol.name)
         if re.search(rf"\((const )?{own} ?(<[^>]*>)? ?&+( ?\w+)?\)", symbol.signature):
             return COPIES

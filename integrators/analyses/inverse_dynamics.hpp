@@ -34,7 +34,7 @@ Result inverse_dynamics(const Model& model, const InverseDynamicsOptions& option
 /// A drive that may act on one coordinate of a body: a force [N] on the centre of mass along x or
 /// y, or a torque [N m], the opposite on `against` (empty: the ground).
 struct Drive {
-  std::string body;
+  std::string body;                           // its name
   Coordinate coordinate = Coordinate::angle;  // a force along x or y, a torque
   std::string against{};                      // a body; empty: the ground
 };

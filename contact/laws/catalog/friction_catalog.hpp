@@ -15,7 +15,7 @@ namespace yoke {
 
 /// A parameter of a friction law as the catalogue knows it.
 struct FrictionParameter {
-  std::string name;
+  std::string name;          // as make_friction() takes it
   std::string unit;          // "" for a number without one
   std::string default_text;  // "" if it must be given
 };
