@@ -82,6 +82,7 @@ def write(root, source, runs, yoke, quick):
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("YOKE_JOBS") or os.cpu_count() or 2)) as pool:
         for done in [pool.submit(make_case, yoke, name, runs, pictures, quick) for name in names]:
             done.result()
+    welcome(source, ("scotch_yoke", "geneva", "jansen_leg"), quick)
     text = index.read_text()
     for heading, rows in groups:
         cards = "".join(
@@ -99,6 +100,17 @@ def write(root, source, runs, yoke, quick):
         figure = f'<div class="moving"><img src="../pictures/gallery/{kind}.svg" alt="{name}, drawn from its geometry">{below}</div>'
         title, _, rest = page.read_text().partition("\n")
         page.write_text(f"{title}\n\n```{{raw}} html\n{figure}\n```\n{rest}")
+
+
+def welcome(source, names, quick):
+    """On the first page, mechanisms in place of the picture that a forge shows."""
+    page = source / "index.md"
+    cards = "".join(f'<a href="cases/{name}.html"><img src="pictures/gallery/{name}{"" if quick else "-moving"}.svg" alt="{name}"></a>'
+                    for name in names)
+    text, count = re.subn(r'^<img [^>]*>$', f'```{{raw}} html\n<div class="gallery">{cards}</div>\n```', page.read_text(), 1, re.M)
+    if count != 1:
+        raise SystemExit("docs: docs/README.md shows no picture to put mechanisms in the place of")
+    page.write_text(text)
 
 
 def copy_files(source, site):
