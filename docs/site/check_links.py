@@ -50,9 +50,14 @@ def markdown(root):
 class Page(html.parser.HTMLParser):
     def __init__(self):
         super().__init__()
-        self.ids, self.links = set(), []
+        self.ids, self.links, self.loaded = set(), [], []
 
     def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        if tag == "link" and given.get("rel") in ("stylesheet", "icon", "preload"):
+            self.loaded.append(given.get("href") or "")
+        elif tag != "a" and given.get("src"):
+            self.loaded.append(given["src"])
         for name, value in attributes:
             if name == "id" or (name == "name" and tag == "a"):
                 self.ids.add(value)
@@ -71,6 +76,8 @@ def site(folder):
         pages[path.resolve()] = page
     broken, count = [], 0
     for path, page in pages.items():
+        broken += [f"{path.relative_to(folder.resolve())}: loads {link} from elsewhere"
+                   for link in page.loaded if re.match(r"(https?:)?//", link)]
         for link in page.links:
             parts = urllib.parse.urlsplit(link)
             if parts.scheme in ("http", "https", "mailto", "data"):
