@@ -40,8 +40,8 @@ struct SlotClearance {
   double pin_radius = 0.0;  // [m] > 0
   double radial = 0.0;      // [m] > 0, half-width of the slot minus the pin's radius
   SlotLaws law;
-  SlotEnd start = SlotEnd::round;
-  SlotEnd end = SlotEnd::round;
+  SlotEnd start = SlotEnd::round;  // at the first end of the curve
+  SlotEnd end = SlotEnd::round;    // at the last end of the curve
   double edge_radius = 0.0;        // [m] of open ends, see CurveSlot
   double reference_force = 100.0;  // [N] as above
 

@@ -121,19 +121,19 @@ class ContactElement final : public ForceElement {
 
   /// The event functions; see the head of this file. Those that do not apply are -1.
   enum Event {
-    onset,
-    release,
-    pull_off,
-    turn,
-    reload,
-    forget,
-    region_end,
-    limit,
-    closest,
-    kink,
-    fullest,
-    grip,
-    event_count
+    onset,       ///< penetration crosses zero, or a remembered dent, upwards
+    release,     ///< penetration falls to the permanent set, zero of most laws
+    pull_off,    ///< the force would become tensile
+    turn,        ///< end of compression
+    reload,      ///< passes the largest penetration again
+    forget,      ///< a remembered dent, or being behind the wall, is over
+    region_end,  ///< into the next region
+    limit,       ///< of the penetrations the law is valid for
+    closest,     ///< deepest point of an approach
+    kink,        ///< corner of the law
+    fullest,     ///< lifted: where the law's force is largest
+    grip,        ///< friction begins or ceases to hold
+    event_count  ///< how many there are
   };
   int events() const override { return event_count; }
   bool may_hide(int event) const override { return event == onset || event == forget; }

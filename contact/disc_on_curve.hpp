@@ -21,15 +21,16 @@
 
 namespace yoke {
 
+/// A disc of a body, or a point of it.
 struct Disc {
-  BodyId body;
+  BodyId body;          // that carries it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] >= 0; 0 is a point
 };
 
 /// A circular hole, or the bore of a bearing.
 struct Hole {
-  BodyId body;
+  BodyId body;          // that has it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] greater than the disc's
 };
@@ -44,7 +45,7 @@ enum class CurveSide { left, right };
 /// the disc's, and for a disc that starts behind the surface.
 struct DiscOnCurve {
   std::string name;
-  Disc disc;
+  Disc disc;                         // what touches
   BodyId body;                       // carries the curve
   Curve curve;                       // global, in the start pose; not crossing itself
   CurveSide side = CurveSide::left;  // where the disc is
@@ -63,8 +64,8 @@ struct DiscOnCurve {
 /// A pin in a hole, a journal in its bearing: the disc touches the circle from inside.
 struct DiscInHole {
   std::string name;
-  Disc disc;
-  Hole hole;
+  Disc disc;  // the pin or journal
+  Hole hole;  // the hole or bore
   WallLaw law;
   double reference_force = 100.0;  // [N] as above
 
@@ -74,8 +75,8 @@ struct DiscInHole {
 /// Two discs that touch from outside.
 struct DiscOnDisc {
   std::string name;
-  Disc disc;
-  Disc other;
+  Disc disc;   // of one body
+  Disc other;  // of another: the wall, as the law sees it
   WallLaw law;
   double reference_force = 100.0;  // [N] as above
 

@@ -26,6 +26,8 @@ namespace yoke {
 /// The energy stored jumps where a contact passes from one law to another; the ledger counts the jump
 /// as dissipation.
 struct SlotLaws {
+  /// One for all walls; one each for inner wall, outer wall and the rest; or what follows from the
+  /// wall.
   SlotLaws(ContactLaw all) : inner(all), outer(all), cap(std::move(all)) {}
   SlotLaws(ContactLaw at_inner, ContactLaw at_outer, ContactLaw at_cap)
       : inner(std::move(at_inner)), outer(std::move(at_outer)), cap(std::move(at_cap)) {}
@@ -39,15 +41,17 @@ struct SlotLaws {
   std::optional<WallLaw> each;                  // none or all
 };
 
+/// A round pin of a body.
 struct Pin {
-  BodyId body;
+  BodyId body;          // that carries it
   Vec2 at{0.0, 0.0};    // [m] its centre, a global point in the start pose
   double radius = 0.0;  // [m] > 0, smaller than the half-width of the slot
 };
 
+/// A slot and the body that has it.
 struct SlotOn {
-  BodyId body;
-  Slot slot;  // placed by global geometry in the start pose: arc_slot({...})
+  BodyId body;  // that has it
+  Slot slot;    // placed by global geometry in the start pose: arc_slot({...})
 };
 
 /// m.add(PinInSlot{.name = "slot", .pin = {crank, tip, 7.9_mm}, .slot = {slider, arc_slot({...})},
@@ -55,8 +59,8 @@ struct SlotOn {
 /// The normal points from the centreline to the wall touched. Friction is the third part of a law.
 struct PinInSlot {
   std::string name;
-  Pin pin;
-  SlotOn slot;
+  Pin pin;      // of one body
+  SlotOn slot;  // of another
   SlotLaws law;
   double reference_force = 100.0;  // [N] a light load; its penetration sets the error weights
 

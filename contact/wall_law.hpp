@@ -18,8 +18,8 @@ namespace yoke {
 
 /// A wall as a law sees it.
 struct SlotWall {
-  SlotRegion region = SlotRegion::wall;
-  double curvature = 0.0;  // [1/m] > 0 convex, < 0 concave, infinite at a sharp edge
+  SlotRegion region = SlotRegion::wall;  // what it is
+  double curvature = 0.0;                // [1/m] > 0 convex, < 0 concave, infinite at a sharp edge
 };
 
 /// Which radius a law that takes radii gets where the curvature varies along a wall.
@@ -38,6 +38,7 @@ enum class Radii {
 /// others, and laws that are not smooth in k, are refused with a ModelError.
 class WallLaw {
  public:
+  /// One law, its parts, or a function of the wall.
   WallLaw(ContactLaw law) : law_(std::move(law)) {}
   WallLaw(ElasticLaw elastic, DissipativeLaw dissipation = {}, FrictionLaw friction = {})
       : law_(ContactLaw{std::move(elastic), std::move(dissipation), std::move(friction)}) {}

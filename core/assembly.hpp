@@ -16,20 +16,21 @@ enum class Coordinate { x, y, angle };  ///< of a body: its centre of mass [m] a
 
 /// One coordinate of a body with a value, or its rate.
 struct CoordinateValue {
-  std::string body;
-  Coordinate coordinate = Coordinate::angle;
-  double value = 0.0;  // [m, rad] or [m/s, rad/s]
+  std::string body;                           // its name
+  Coordinate coordinate = Coordinate::angle;  // which one
+  double value = 0.0;                         // [m, rad] or [m/s, rad/s]
 };
 
 /// Selects one of several assemblies: that in which the coordinate lies within `within` of the
 /// value. Angles are compared without whole turns.
 struct Near {
-  std::string body;
-  Coordinate coordinate = Coordinate::angle;
-  double value = 0.0;   // [m, rad]
+  std::string body;                           // its name
+  Coordinate coordinate = Coordinate::angle;  // which one
+  double value = 0.0;                         // [m, rad]
   double within = 0.0;  // [m, rad] > 0; 0: a quarter turn, or half the length scale
 };
 
+/// What assemble() is to keep, choose and prescribe.
 struct AssemblyOptions {
   std::vector<CoordinateValue> hold{};   // exactly
   std::vector<Near> near{};              // selects the branch

@@ -32,9 +32,10 @@ namespace yoke {
 template <class Scalar, int N>
 class Dual {
  public:
-  using Gradient = Eigen::Matrix<Scalar, N, 1>;
-  using Rules = Eigen::AutoDiffScalar<Gradient>;
+  using Gradient = Eigen::Matrix<Scalar, N, 1>;   // derivatives by the variables
+  using Rules = Eigen::AutoDiffScalar<Gradient>;  // whose arithmetic is used
 
+  /// Zero, a constant, or a value with its derivatives.
   Dual() : Dual(0.0) {}
   template <class Number>
   requires std::is_arithmetic_v<Number> Dual(
@@ -44,16 +45,22 @@ class Dual {
   template <class Expression>
   explicit Dual(const Eigen::AutoDiffScalar<Expression>& expression) : ad_(expression) {}
 
+  /// The number itself.
   const Scalar& value() const { return ad_.value(); }
+  /// Its derivatives.
   const Gradient& gradient() const { return ad_.derivatives(); }
   /// A function with value f0 and slope df/dx here, for what the rules of Eigen do not cover.
   Dual chain(const Scalar& f, const Scalar& slope) const {
     return Dual(f, Gradient(gradient() * slope));
   }
 
+  /// Arithmetic as of numbers; so are +, -, *, / and comparisons.
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  /// As of numbers.
   Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  /// As of numbers.
   Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  /// As of numbers.
   Dual& operator/=(const Dual& b) { return *this = *this / b; }
 
   friend Dual operator+(const Dual& a) { return a; }
@@ -168,6 +175,7 @@ struct AutoPose {
   T x, y, angle;  // [m, m, rad] centre of mass, global frame
   T c, s;         // cos(angle), sin(angle)
 
+  /// [m] Centre of mass, global.
   Eigen::Vector2<T> position() const { return {x, y}; }
   /// A body-fixed vector, of numbers or of T, in global axes.
   template <class V>

@@ -20,8 +20,8 @@ class Curve;
 
 /// A joint between a and b, global, in the start pose.
 struct JointPlace {
-  std::string name;
-  BodyId a, b;
+  std::string name;              // of the joint
+  BodyId a, b;                   // that it joins
   Vec2 at{0.0, 0.0};             // [m] its point
   Vec2 along{1.0, 0.0};          // its direction, a unit vector, where it has one
   const Curve* curve = nullptr;  // carried by b, where it has one
@@ -30,11 +30,13 @@ struct JointPlace {
 /// Any value with elements(model, place), which throws ModelError for what is wrong.
 class Clearance {
  public:
+  /// From a description with elements(model, place). Implicit: a joint's field is written as the
+  /// description itself.
   template <class D>
   requires requires(const D& d, const Model& model, const JointPlace& place) {
     { d.elements(model, place) } -> std::convertible_to<Elements>;
   }
-  Clearance(D description)  // implicit: a joint's field is written as the description itself
+  Clearance(D description)
       : make_([d = std::move(description)](const Model& model, const JointPlace& place) {
           return d.elements(model, place);
         }) {}

@@ -29,8 +29,8 @@ enum class Measure { length, angle };  ///< unit of an equation of Phi: [m] or [
 
 /// One scalar equation of a joint; errors call it "pivot: x".
 struct Equation {
-  std::string label;
-  Measure measure = Measure::length;
+  std::string label;                  // as "x"
+  Measure measure = Measure::length;  // its unit
 };
 
 /// The blocks that evaluate() computes; null pointers are skipped. All blocks are row-major. G and
@@ -53,11 +53,17 @@ class Constraint {
              std::vector<bool> pattern = {});
   virtual ~Constraint() = default;
 
+  /// Unique in the model.
   const std::string& name() const { return name_; }
+  /// The k bodies it joins, in the order of its blocks.
   const std::vector<BodyId>& bodies() const { return bodies_; }
+  /// One for each row of Phi.
   const std::vector<Equation>& equations() const { return equations_; }
+  /// Of Phi.
   int rows() const { return static_cast<int>(equations_.size()); }
+  /// 3 k.
   int columns() const { return 3 * static_cast<int>(bodies_.size()); }
+  /// Whether the entry of G can be non-zero.
   bool in_pattern(int row, int column) const {
     return pattern_.empty() || pattern_[static_cast<std::size_t>(row * columns() + column)];
   }

@@ -8,6 +8,7 @@
 
 namespace yoke {
 
+/// Apart, or in contact before or after the largest penetration.
 enum class ContactPhase { apart, compressing, restituting };
 
 /// Dry friction that can hold (FrictionLaw::holds), at one contact.
@@ -21,12 +22,14 @@ enum class Grip {
   undecided,  // at rest at this instant: between an event and what becomes of it only
 };
 
+/// Whether the surfaces are at rest on one another.
 inline bool rests(Grip grip) {
   return grip == Grip::held || grip == Grip::carried || grip == Grip::guided;
 }
 
 /// Discrete memory of one contact. Penetration > 0 in contact, rate > 0 while approaching.
 struct ContactMemory {
+  /// where it is in the state machine of contact/contact_element.hpp
   ContactPhase phase = ContactPhase::apart;
   int region = 0;                    // which part of the geometry is (or was last) touched
   double onset_time = 0.0;           // [s]

@@ -25,17 +25,18 @@
 
 namespace yoke {
 
+/// Which changes of sign of the function are events.
 enum class Crossing { upwards, downwards, both };
 
 /// A changeable parameter "element.name" and the value it gets [its SI unit].
 struct ParameterChange {
-  std::string parameter;
-  double value = 0.0;
+  std::string parameter;  // "element.name"
+  double value = 0.0;     // in its SI unit
 };
 
 /// What an action may do at the located state: read the motion, change parameters, strike, end the run.
 struct EventAction {
-  const Motion& motion;
+  const Motion& motion;  // at the located event
   /// A changeable parameter "element.name", to be read or changed. Throws ModelError.
   std::function<double&(std::string_view name)> parameter;
   /// Ends the run with Stop::by_event.
@@ -47,8 +48,8 @@ struct EventAction {
 
 struct EventFunction {
   std::string name;
-  std::function<double(const Motion&)> function{};  // smooth; its size does not matter
-  Crossing crossing = Crossing::both;
+  std::function<double(const Motion&)> function{};   // smooth; its size does not matter
+  Crossing crossing = Crossing::both;                // which changes of sign
   std::vector<ParameterChange> set{};                // done first
   std::function<void(const EventAction&)> action{};  // then this
   bool stop = false;                                 // then the run ends

@@ -26,11 +26,11 @@ class Model;
 /// A number that may be changed from run to run without building the model again. It lives in the
 /// State under "element.name".
 struct Parameter {
-  std::string name;
-  std::string unit;
-  double value = 0.0;
+  std::string name;                                       // as "stiffness"
+  std::string unit;                                       // as "N/m"
+  double value = 0.0;                                     // default, in the unit
   double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
-  double high = std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();  ///< greatest value accepted
   bool load = false;  // a force that depends on no motion and stores no energy
 };
 
@@ -39,7 +39,7 @@ struct Parameter {
 struct Channel {
   std::string name;  // for instance "penetration"
   std::string unit;  // for instance "m"; the column is called element.penetration_m
-  std::vector<std::string> labels{};
+  std::vector<std::string> labels{};  // of a number that stands for a word
   double scale = 1.0;  // of a state z: its typical size, which its error weight is made from
 };
 
@@ -66,7 +66,7 @@ inline double slowest_sliding(const Scales& scales, double terms) {
 
 /// What a force element may read.
 struct ForceInput {
-  const Motion& motion;
+  const Motion& motion;                    // poses, velocities, time
   const double* z = nullptr;               // [states()]
   const double* parameters = nullptr;      // [parameters().size()]
   const ContactMemory* contact = nullptr;  // [contacts()]
@@ -89,7 +89,7 @@ struct ForceRequest {
   double* dz_dz = nullptr;       // [nz x nz]
   double* dQ_dlambda = nullptr;  // [3k x rows] by the multipliers of loaded_by()
   double* dz_dlambda = nullptr;  // [nz x rows]
-  Energy* energy = nullptr;
+  Energy* energy = nullptr;      // of the element
 };
 
 /// What happened at a located event, as it is written to events.csv.
@@ -105,7 +105,7 @@ struct EventRecord {
 /// Given to an element when one of its event functions has crossed zero. The state is projected and
 /// the accelerations are consistent.
 struct EventContext {
-  ForceInput input;
+  ForceInput input;                  // at the located event
   ContactMemory* contact = nullptr;  // to be changed
   double* z = nullptr;               // [states()] likewise, together with the memory of a contact
   /// [kg] 1/(d A d^T) for a direction d [3k] in the coordinates of the element's bodies, A the
@@ -133,17 +133,20 @@ struct EventContext {
 
 /// What the force of an element depends on; determines the sparsity pattern.
 struct Dependence {
-  bool position = true;
-  bool velocity = true;
+  bool position = true;  // on q
+  bool velocity = true;  // on v
 };
 
 /// Base of every force element. Immutable once built; what changes lives in the State.
 class ForceElement {
  public:
+  /// `bodies` in the order of the blocks.
   ForceElement(std::string name, std::vector<BodyId> bodies, Dependence dependence = {});
   virtual ~ForceElement() = default;
 
+  /// Unique in the model.
   const std::string& name() const { return name_; }
+  /// On what the force depends.
   Dependence dependence() const { return dependence_; }
   /// The bodies it acts on, in the order of its blocks. Gravity returns all bodies.
   virtual std::vector<BodyId> bodies(const Model&) const { return bodies_; }
@@ -163,7 +166,9 @@ class ForceElement {
   virtual bool supplies() const { return false; }    ///< keeps a quadrature of supplied_power
 
   virtual std::vector<Channel> states() const { return {}; }  ///< the z it owns: names and units
+  /// Writes z at the start, zero on entry.
   virtual void initial_states(double* /*z*/) const {}
+  /// What may be changed from run to run, with defaults and ranges.
   virtual std::vector<Parameter> parameters() const { return {}; }
 
   virtual int contacts() const { return 0; }  ///< how many ContactMemory it owns
@@ -173,7 +178,10 @@ class ForceElement {
   virtual double penetration_scale() const { return 0.0; }
   /// Number of event functions. Slot i fires when its function crosses zero upwards.
   virtual int events() const { return 0; }
+  /// Writes the event functions [events()]: smooth, and -1 where an event does not apply.
   virtual void calc_events(const ForceInput&, double* /*g*/) const {}
+  /// What happens where slot fired: changes the contact memory, z or parameters through the
+  /// context.
   virtual void handle_event(int /*slot*/, EventContext&) const {}
   /// True if a handled event must not fire again before its function has been negative; false if
   /// the element ensures this itself, as contacts do with a margin.
@@ -206,13 +214,16 @@ class ForceElement {
   /// Called where a grip has been settled otherwise than it was `before`.
   virtual void grip_changed(Grip /*before*/, EventContext&) const {}
 
+  /// What it reports at every sample.
   virtual std::vector<Channel> channels() const { return {}; }
+  /// Writes them [channels().size()].
   virtual void calc_channels(const ForceInput&, double* /*values*/) const {}
 
   /// What it looks like (core/drawing/drawing.hpp); by default nothing is drawn.
   virtual void draw(Drawing&) const {}
 
  protected:
+  /// As given to the constructor.
   const std::vector<BodyId>& own_bodies() const { return bodies_; }
 
  private:

@@ -34,18 +34,19 @@ struct FrictionInput {
 
 /// What it gives. Derivatives are partial ones.
 struct FrictionOutput {
-  double force = 0.0;            // [N] T
-  double dforce_dnormal = 0.0;   // [1]
-  double dforce_dsliding = 0.0;  // [N s/m]
-  double dforce_dstate = 0.0;    // [N/m] if z is a length
-  double rate = 0.0;             // z'
-  double drate_dnormal = 0.0;
-  double drate_dsliding = 0.0;
-  double drate_dstate = 0.0;
+  double force = 0.0;             // [N] T
+  double dforce_dnormal = 0.0;    // [1]
+  double dforce_dsliding = 0.0;   // [N s/m]
+  double dforce_dstate = 0.0;     // [N/m] if z is a length
+  double rate = 0.0;              // z'
+  double drate_dnormal = 0.0;     // of z' by N
+  double drate_dsliding = 0.0;    // of z' by v
+  double drate_dstate = 0.0;      // [1/s] of z' by z
   double stored_energy = 0.0;     // [J] S(z)
   double dissipated_power = 0.0;  // [W] T v - dS/dt, from the law's formula
 };
 
+/// What a friction law is made from: anything callable with what it sees.
 template <class F>
 concept FrictionFunction = requires(const F& law, const FrictionInput& in) {
   { law(in) } -> std::convertible_to<FrictionOutput>;
@@ -67,9 +68,11 @@ class FrictionLaw {
   template <FrictionFunction F>
   FrictionLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {}
 
+  /// No friction.
   bool none() const { return !function_; }
   /// Only if not none().
   FrictionOutput evaluate(const FrictionInput& in) const { return function_->evaluate(in); }
+  /// Whether it has a z.
   bool has_state() const { return function_ && function_->has_state(); }
   /// Only if has_state().
   double state_scale(double reference_force) const {
@@ -79,6 +82,7 @@ class FrictionLaw {
   bool holds() const { return function_ && function_->holds(); }
   /// Only if holds().
   double holding_force(double normal_force) const { return function_->holding_force(normal_force); }
+  /// As the law calls itself; "none".
   std::string name() const { return function_ ? function_->name() : "none"; }
 
  private:

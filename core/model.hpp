@@ -23,8 +23,8 @@ namespace yoke {
 
 /// What a description with more than one element makes, in the order in which they are added.
 struct Elements {
-  std::vector<std::unique_ptr<Constraint>> constraints{};
-  std::vector<std::unique_ptr<ForceElement>> forces{};
+  std::vector<std::unique_ptr<Constraint>> constraints{};  // joints and drivers
+  std::vector<std::unique_ptr<ForceElement>> forces{};     // forces, contacts, events
 };
 
 /// Something Model::add accepts: a description with build(model) giving a constraint or a force
@@ -43,6 +43,7 @@ concept ElementDescription = requires(const D& d, const Model& m) {
 
 class Model {
  public:
+  /// With the ground alone.
   Model();
 
   /// Adds a body. Throws ModelError if its name is empty or taken, its mass or inertia not
@@ -59,17 +60,22 @@ class Model {
     else
       insert(description.build(*this));
   }
+  /// Adds elements that are built already; add() calls it. Throws ModelError.
   void insert(Elements elements);
   void insert(std::unique_ptr<Constraint> constraint);
   void insert(std::unique_ptr<ForceElement> force);
 
+  /// Without the ground.
   int body_count() const { return static_cast<int>(bodies_.size()) - 1; }
   /// All bodies, index 0 is the ground.
   const std::vector<Body>& bodies() const { return bodies_; }
+  /// As it was added. Throws ModelError for an unknown one.
   const Body& body(BodyId id) const;
   /// Throws ModelError that lists the known names.
   BodyId find_body(std::string_view name) const;
+  /// In the order in which they were added.
   const std::vector<std::unique_ptr<Constraint>>& constraints() const { return constraints_; }
+  /// In the order in which they were added.
   const std::vector<std::unique_ptr<ForceElement>>& forces() const { return forces_; }
 
   /// Geometry of the start pose, for placing elements: a global point in the frame of a body [m].

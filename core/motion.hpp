@@ -17,7 +17,9 @@ struct BodyMotion {
   double c = 1, s = 0;               // cos(angle), sin(angle)
   double vx = 0, vy = 0, omega = 0;  // [m/s, m/s, rad/s]
 
+  /// [m] Centre of mass, global.
   Vec2 position() const { return {x, y}; }
+  /// [m/s] Its velocity.
   Vec2 velocity() const { return {vx, vy}; }
   /// A body-fixed vector in global axes.
   Vec2 to_global(const Vec2& local) const {
@@ -37,10 +39,11 @@ struct BodyMotion {
 
 /// All bodies at one instant. bodies[id.index]; entry 0 is the ground, at rest at the origin.
 struct Motion {
-  double t = 0.0;  // [s]
-  std::span<const BodyMotion> bodies;
-  std::span<const Body> inertia;  // masses and names, same indices
+  double t = 0.0;                      // [s]
+  std::span<const BodyMotion> bodies;  // the ground first
+  std::span<const Body> inertia;       // masses and names, same indices
 
+  /// Of one body.
   const BodyMotion& operator[](BodyId id) const {
     return bodies[static_cast<std::size_t>(id.index)];
   }

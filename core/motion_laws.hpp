@@ -33,10 +33,10 @@ namespace yoke {
 
 /// A function and its derivatives by its argument; the argument is a time [s] or an angle [rad].
 struct MotionValue {
-  double value = 0.0;
-  double first = 0.0;
-  double second = 0.0;
-  double third = 0.0;
+  double value = 0.0;   // the function
+  double first = 0.0;   // by the argument
+  double second = 0.0;  // twice
+  double third = 0.0;   // thrice
 
   operator TimeValue() const { return {value, first, second}; }  // over a time
 };
@@ -44,12 +44,12 @@ struct MotionValue {
 /// A rise from 0 to 1 while x goes from 0 to 1, with exact derivatives. A law of your own is a name
 /// and a function: {"parabola", [](double x) { return MotionValue{...}; }}.
 struct MotionLaw {
-  std::string_view name;
-  MotionValue (*at)(double x) = nullptr;
+  std::string_view name;                  // for messages
+  MotionValue (*at)(double x) = nullptr;  ///< for 0 <= x <= 1
 };
 
-extern const MotionLaw dwell;  ///< stays; the only one that does not rise
-extern const MotionLaw constant_velocity;
+extern const MotionLaw dwell;               ///< stays; the only one that does not rise
+extern const MotionLaw constant_velocity;   ///< x; its velocity jumps unless laws beside it join it
 extern const MotionLaw simple_harmonic;     ///< (1 - cos(pi x)) / 2
 extern const MotionLaw cycloidal;           ///< x - sin(2 pi x) / (2 pi)
 extern const MotionLaw modified_sine;       ///< Neklutin
@@ -64,8 +64,9 @@ extern const MotionLaw cycloidal_end;
 /// All of the above.
 const std::vector<MotionLaw>& motion_laws();
 
+/// One law over an interval of the argument.
 struct MotionSegment {
-  MotionLaw law;
+  MotionLaw law;               // how it gets there
   double over = 0.0;           // > 0, length of the interval [s] or [rad]
   std::optional<double> to{};  // value at its end; none for a dwell
 };
@@ -77,10 +78,11 @@ enum class Repeat {
   advancing,  // begins again from where it is: an indexing drive
 };
 
+/// Where a chain of segments begins, and what it does beyond.
 struct MotionOptions {
-  double start = 0.0;  // value where the first segment begins
-  double begin = 0.0;  // argument there
-  Repeat repeat = Repeat::never;
+  double start = 0.0;             // value where the first segment begins
+  double begin = 0.0;             // argument there
+  Repeat repeat = Repeat::never;  // beyond the segments
 };
 
 /// A chain of segments; a value. Evaluation allocates nothing.
@@ -93,13 +95,16 @@ class MotionChain {
   /// Any argument. Where a derivative jumps it is the one to the right.
   MotionValue operator()(double x) const;
 
+  /// Argument where the first segment begins.
   double begin() const { return ends_.front().argument; }
+  /// Argument where the last one ends.
   double end() const { return ends_.back().argument; }
   /// end - begin, for a motion that repeats; infinite for one that does not.
   double period() const;
 
   /// Where segments begin, and the end of the last.
   std::vector<double> junctions() const;
+  /// Whether the segment stays.
   bool dwells(std::size_t segment) const { return laws_[segment].at == dwell.at; }
   /// Of one segment, up to both of its ends, whatever comes before or after; as it is at the nearer
   /// end for x beyond them.

@@ -34,16 +34,21 @@ class Table {
   /// Keeps the first rows; n <= rows().
   void keep(std::size_t n);
 
+  /// How many rows there are.
   std::size_t rows() const { return rows_; }
   /// All numbers, row after row.
   const std::vector<double>& data() const { return data_; }
+  /// Of the columns.
   const std::vector<std::string>& names() const { return names_; }
+  /// Whether there is a column of this name.
   bool has(std::string_view name) const;
   /// Values of a column. Throws ModelError that lists the nearest names if there is none.
   Eigen::VectorXd operator[](std::string_view name) const;
+  /// One number, without a check.
   double value(std::size_t row, std::size_t column) const {
     return data_[row * names_.size() + column];
   }
+  /// Number of a column. Throws ModelError that lists the nearest names.
   std::size_t index(std::string_view name) const;
   /// For messages: the names that begin like this one up to its dot.
   std::string nearest(std::string_view name) const;
@@ -51,6 +56,7 @@ class Table {
   const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
   /// As "m/s^2"; empty if the column has none or it was not told apart from the name.
   const std::string& unit(std::size_t column) const { return units_[column]; }
+  /// The part a column belongs to: "motion", "reactions", ...
   const std::string& part(std::size_t column) const { return parts_[column]; }
   /// Parts that have columns besides the first, in their order; "motion" of a table of one column.
   std::vector<std::string> parts() const;
@@ -93,26 +99,26 @@ struct SingularPosition {
 
 /// How a run went.
 struct Summary {
-  Stop stop = Stop::failed;
-  std::string reason = "not run";  // one sentence; for failures what to try
-  std::string formulation;         // which one ran
-  std::string formulation_reason;  // why
-  double relative_tolerance = 0.0;
-  double tolerance_kept = 0.0;     // what was kept where that was out of reach; 0: it never was
-  double length_scale = 0.0;       // [m] used in the error weights
-  double time_scale = 0.0;         // [s]
-  double t_start = 0.0;            // [s]
-  double t_end = 0.0;              // [s] how far it got
-  double t_asked = 0.0;            // [s] requested end
-  long steps = 0;                  // accepted
-  long rejected = 0;               // error test or Newton failures
-  long evaluations = 0;            // of the equations of motion, for steps and events
-  long recording_evaluations = 0;  // the same for samples
-  long jacobians = 0;              // of an implicit method
-  long refactorisations = 0;       // numeric only
-  long fresh_factorisations = 0;   // with new pivots
-  long events = 0;
-  double last_step = 0.0;  // [s]
+  Stop stop = Stop::failed;         // why it ended
+  std::string reason = "not run";   // one sentence; for failures what to try
+  std::string formulation;          // which one ran
+  std::string formulation_reason;   // why
+  double relative_tolerance = 0.0;  // asked for
+  double tolerance_kept = 0.0;      // what was kept where that was out of reach; 0: it never was
+  double length_scale = 0.0;        // [m] used in the error weights
+  double time_scale = 0.0;          // [s]
+  double t_start = 0.0;             // [s]
+  double t_end = 0.0;               // [s] how far it got
+  double t_asked = 0.0;             // [s] requested end
+  long steps = 0;                   // accepted
+  long rejected = 0;                // error test or Newton failures
+  long evaluations = 0;             // of the equations of motion, for steps and events
+  long recording_evaluations = 0;   // the same for samples
+  long jacobians = 0;               // of an implicit method
+  long refactorisations = 0;        // numeric only
+  long fresh_factorisations = 0;    // with new pivots
+  long events = 0;                  // that were handled
+  double last_step = 0.0;           // [s]
   // Worst violations of the constraints at samples and events after projection: of equations that
   // are measured in lengths, and of those measured in angles.
   double position_violation = 0.0;          // [m]
@@ -128,23 +134,23 @@ struct Summary {
   double energy_exchanged = 0.0;        // [J] largest of energy moved between forms, for scale
   double wall_time = 0.0;               // [s]
   int degrees_of_freedom = 0;           // 3 bodies minus the rank of the constraints
-  std::vector<std::string> redundant_equations{};   // left out: they follow from others
-  std::vector<std::string> not_unique_reactions{};  // columns that are one possibility of many
-  std::vector<SingularPosition> singular_positions{};
-  std::vector<std::string> notes{};  // what was assumed, a sentence each
+  std::vector<std::string> redundant_equations{};      // left out: they follow from others
+  std::vector<std::string> not_unique_reactions{};     // columns that are one possibility of many
+  std::vector<SingularPosition> singular_positions{};  // that were crossed
+  std::vector<std::string> notes{};                    // what was assumed, a sentence each
 
   /// Completed, or ended by an event.
   bool ok() const { return stop == Stop::completed || stop == Stop::by_event; }
 };
 
 struct Result {
-  Table samples;
+  Table samples;  // a row for each sample, uniform in time
   /// Rows of the same columns within contacts, not uniform in time; without columns unless
   /// SimulationOptions::contact_rows asks for them.
   Table contact_samples{};
-  std::vector<EventRecord> events;
-  Summary summary;
-  State final;  // at Summary::t_end, consistent: a run can start from it
+  std::vector<EventRecord> events;  // in the order of time
+  Summary summary;                  // how the run went
+  State final;                      // at Summary::t_end, consistent: a run can start from it
 
   /// Column of the samples: result["crank.angle_rad"].
   Eigen::VectorXd operator[](std::string_view column) const { return samples[column]; }

@@ -16,9 +16,9 @@ namespace yoke {
 
 /// f, f', f'' at one time.
 struct TimeValue {
-  double value = 0.0;
-  double rate = 0.0;
-  double acceleration = 0.0;
+  double value = 0.0;         // in the unit of the function
+  double rate = 0.0;          // a second
+  double acceleration = 0.0;  // a second squared
 };
 
 class TimeFunction {
@@ -30,7 +30,9 @@ class TimeFunction {
       std::is_invocable_r_v<TimeValue, const F&, double> TimeFunction(F f)
       : f_(std::move(f)) {}  // implicit: a lambda can be passed to a driver directly
 
+  /// At time t [s].
   TimeValue operator()(double t) const { return f_(t); }
+  /// Whether there is a function.
   explicit operator bool() const { return static_cast<bool>(f_); }
 
  private:

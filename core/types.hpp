@@ -14,6 +14,7 @@ namespace yoke {
 
 using Vec2 = Eigen::Vector2d;  ///< point [m] or direction, global frame unless stated otherwise
 
+/// Half a turn [rad].
 inline constexpr double pi = 3.14159265358979323846;
 
 /// z-axis cross vector: a turned by +90 degrees.
@@ -28,9 +29,10 @@ inline Vec2 rotate(double angle, const Vec2& a) {
 
 /// Identifies a body of one Model. Index 0 is the ground, which does not move.
 struct BodyId {
-  int index = 0;
+  int index = 0;  // into Model::bodies()
   friend bool operator==(BodyId, BodyId) = default;
 };
+/// Body 0 of every model, fixed at the origin.
 inline constexpr BodyId ground{0};
 
 /// Position of a body's centre of mass and its angle, in the global frame.
@@ -53,7 +55,7 @@ struct Twist {
 /// free: "'rod': no mass and free to turn". The frame of a body without mass is where the user puts
 /// it. Its motion may end at an impasse, see docs/start_and_redundancy.md.
 struct Body {
-  std::string name;
+  std::string name;      // unique in the model: columns and messages use it
   double mass = 0.0;     // [kg], >= 0
   double inertia = 0.0;  // [kg m^2] about the centre of mass, >= 0
   Pose pose{};           // at the start; assembly corrects it if the joints require it

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
+//
+// The version of the library.
 #pragma once
 
 namespace yoke {

@@ -17,10 +17,10 @@ namespace yoke {
 
 /// Progress of a run, passed to the observer after every accepted step.
 struct Progress {
-  double t = 0.0;         // [s]
-  double fraction = 0.0;  // of the requested time, 0 to 1
-  long steps = 0;
-  long events = 0;
+  double t = 0.0;                  // [s]
+  double fraction = 0.0;           // of the requested time, 0 to 1
+  long steps = 0;                  // accepted so far
+  long events = 0;                 // handled so far
   const Result* so_far = nullptr;  // samples and events until t; its summary is of no use yet
 };
 
@@ -49,7 +49,7 @@ struct SimulationOptions {
   double time_scale = 0.0;       // [s] of velocities: length / time
   double baumgarte_rate = 0.0;   // [1/s] gain after Baumgarte, see docs/numerics.md
   double spectral_radius = 0.8;  // 0 to 0.999, formulation generalised-alpha only
-  Checkpoints checkpoints{};
+  Checkpoints checkpoints{};     // none unless given
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
   std::function<bool(const Progress&)> observer{};
@@ -77,12 +77,13 @@ State assembled_state(const Model& model);
 /// Name and description of a formulation, the index of its equations and the family of its method;
 /// verify() uses the latter two to choose an independent formulation.
 struct FormulationNote {
-  std::string_view name;
-  std::string_view description;
-  int index = 1;
-  std::string_view family;
-  int order = 5;  // highest
+  std::string_view name;         // as SimulationOptions::formulation takes it
+  std::string_view description;  // a line
+  int index = 1;                 // of its equations
+  std::string_view family;       // of its method
+  int order = 5;                 // highest
 };
+/// All there are, in the order of docs/numerics.md.
 std::vector<FormulationNote> formulations();
 
 }  // namespace yoke

@@ -69,6 +69,7 @@ class Simulation {
   double get(std::string_view name);
   /// The same for a column by its number, without a search.
   double output(std::size_t column);
+  /// Number of a column, for output(). Throws ModelError that lists near names.
   std::size_t find_output(std::string_view column) const;
 
   /// Changes a parameter "element.name" from time() on. What that changes in stored energy is
@@ -77,6 +78,7 @@ class Simulation {
   void set(std::string_view parameter, double value);
   void set(std::size_t parameter, double value);
 
+  /// All it needs to come back to time().
   Snapshot snapshot();
   /// Goes back, or anywhere else: rows and events behind the snapshot's time are forgotten, the
   /// integrator starts afresh. What follows depends on the snapshot alone: the same bits each time.

@@ -17,7 +17,7 @@ class Drawing;
 
 /// One region at one state, over q = (x, y, angle) of body a and of body b.
 struct ContactKinematics {
-  static constexpr std::size_t columns = 6;
+  static constexpr std::size_t columns = 6;         // coordinates of both bodies
   double penetration = 0.0;                         // [m] d, > 0 in contact
   double curvature = 0.0;                           // [1/m] of the wall there, > 0 convex
   std::array<double, columns> gradient{};           // g = dd/dq
@@ -27,13 +27,14 @@ struct ContactKinematics {
 /// The curvature of the wall touched, as a function of q. For laws that follow it.
 struct CurvatureKinematics {
   std::array<double, ContactKinematics::columns> gradient{};  // [1/m per m, per rad]
+  /// row-major
   std::array<double, ContactKinematics::columns * ContactKinematics::columns> hessian{};
 };
 
 /// How the surfaces slide on one another, over the same q: a's relative to b's along t = perp(normal),
 /// v = row dq/dt - surface_speed.
 struct SlipKinematics {
-  std::array<double, ContactKinematics::columns> row{};
+  std::array<double, ContactKinematics::columns> row{};  // [1, m per rad]
   std::array<double, ContactKinematics::columns * ContactKinematics::columns> slope{};  // drow/dq
 };
 
@@ -73,6 +74,7 @@ class ContactGeometry {
   }
   /// [m/s] of b's wall along itself, along t: a belt.
   virtual double surface_speed() const { return 0.0; }
+  /// Where the region is, or would be, touched.
   virtual ContactPlace calc_place(const Motion& motion, int region) const = 0;
   /// [m] crosses zero upwards where the region ends; about the distance beyond its end.
   virtual double boundary(const Motion& /*motion*/, int /*region*/) const { return -1.0; }

@@ -20,6 +20,7 @@
 
 namespace yoke {
 
+/// What is at an end of a slot.
 enum class SlotEnd {
   round,  ///< semicircle about the end of the centreline
   flat,   ///< wall across, half a width beyond the end of the centreline
@@ -28,11 +29,11 @@ enum class SlotEnd {
 
 /// Placed by global geometry in the start pose. A closed centreline has no ends.
 struct CurveSlot {
-  Curve centreline;
-  double half_width = 0.0;  // [m] > 0
-  SlotEnd start = SlotEnd::round;
-  SlotEnd end = SlotEnd::round;
-  double edge_radius = 0.0;  // [m] >= 0, of the edges at open ends, 0: sharp or no such end
+  Curve centreline;                // along which a cutter of the slot's width goes
+  double half_width = 0.0;         // [m] > 0
+  SlotEnd start = SlotEnd::round;  // where the centreline begins
+  SlotEnd end = SlotEnd::round;    // where it ends
+  double edge_radius = 0.0;        // [m] >= 0, of the edges at open ends, 0: sharp or no such end
 };
 
 /// Throws ModelError when a contact is built on it: for ends or edges that there are not, a wall whose radius would be below zero (the

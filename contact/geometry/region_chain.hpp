@@ -20,11 +20,12 @@ namespace yoke {
 
 class RegionChain {
  public:
+  /// No region: the wall ends.
   static constexpr int none = -1;
 
   /// One wall along one piece of the curve.
   struct Side {
-    std::size_t piece = 0;
+    std::size_t piece = 0;            // of the curve
     double sign = 1.0;                // 1 on the left, -1 on the right
     double low = 0.0, high = 0.0;     // u where the wall begins and ends
     int before = none, after = none;  // the regions there
@@ -32,7 +33,7 @@ class RegionChain {
 
   /// A wall about a point: concave like a cap, or a convex edge.
   struct Round {
-    SlotRegion kind = SlotRegion::edge;
+    SlotRegion kind = SlotRegion::edge;       // cap, corner or edge
     Vec2 center{0.0, 0.0};                    // [m]
     double edge_radius = 0.0;                 // [m] of an edge
     Vec2 t_begin{0.0, 0.0}, t_end{0.0, 0.0};  // the region is where these, 0: unbounded,
@@ -48,23 +49,36 @@ class RegionChain {
   int add(const Round& round);
   /// What a side has before its beginning, or behind its end.
   void link(int side, bool at_end, int region);
+  /// Of a region below sides().size(), to be changed.
   Side& side(int region) { return sides_[static_cast<std::size_t>(region)]; }
 
+  /// The curve the walls follow.
   const Curve& curve() const { return curve_; }
+  /// The walls along pieces: the first regions.
   const std::vector<Side>& sides() const { return sides_; }
+  /// The walls about points: the regions behind them.
   const std::vector<Round>& rounds() const { return rounds_; }
+  /// Whether a region is a wall along a piece.
   bool is_side(int region) const { return region < static_cast<int>(sides_.size()); }
+  /// Only if is_side().
   const Side& side_of(int region) const { return sides_[static_cast<std::size_t>(region)]; }
+  /// Only if not is_side().
   const Round& round_of(int region) const {
     return rounds_[static_cast<std::size_t>(region) - sides_.size()];
   }
 
   // The functions of a profile.
+  /// One for each region.
   std::vector<CurvatureRange> curvatures() const;
+  /// Where p [m] is relative to a region.
   Touch touch(int region, const Vec2& p) const;
+  /// Whether the curvature may change along the region.
   bool follows(int region) const;
+  /// How it changes at the place touched.
   CurvatureField curvature_field(const Touch& touch) const;
+  /// [m] < 0 inside the region, > 0 beyond its end.
   double boundary(int region, const Vec2& p) const;
+  /// The region on the other side of that end.
   int successor(int region, const Vec2& p) const;
 
   /// The region where the foot of p on a side is at u: the side, or the round region at its end that

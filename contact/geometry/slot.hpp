@@ -24,17 +24,17 @@ namespace yoke {
 /// round outside of a corner of the centreline; `start` and `end` flat
 /// ends; `wall` anything but a slot.
 enum class SlotRegion {
-  inner,
-  outer,
-  cap_start,
-  cap_end,
-  left,
-  right,
-  edge,
-  corner,
-  start,
-  end,
-  wall
+  inner,      ///< wall on the side of the centre of curvature
+  outer,      ///< the other wall
+  cap_start,  ///< round end where the centreline begins
+  cap_end,    ///< round end where it ends
+  left,       ///< wall, seen along the centreline
+  right,      ///< the other wall
+  edge,       ///< convex, as at an open end
+  corner,     ///< round outside of a corner of the centreline
+  start,      ///< flat end where the centreline begins
+  end,        ///< flat end where it ends
+  wall        ///< of anything but a slot
 };
 
 /// As written to results: its name; "cap" for both caps.
@@ -42,7 +42,7 @@ std::string_view region_name(SlotRegion region);
 
 /// Where the pin's centre is relative to one region.
 struct Touch {
-  int region = 0;
+  int region = 0;         // its number in the profile
   double distance = 0.0;  // [m] D, from the centreline (a cap: from its centre) towards the wall
   Vec2 normal{1.0, 0.0};  // unit gradient of D: towards the wall, the direction of penetration
   double bend = 0.0;      // [1/m] Hessian of D = bend * t t^T, t = perp(normal)
@@ -53,7 +53,7 @@ struct Touch {
 
 /// [1/m] Least, greatest and mean curvature of a wall, sign as in Touch.
 struct CurvatureRange {
-  double low = 0.0, high = 0.0, mean = 0.0;
+  double low = 0.0, high = 0.0, mean = 0.0;  // least, greatest, mean
 };
 
 /// The curvature of the wall touched as a function of where p is, with n = Touch::normal and
@@ -66,8 +66,8 @@ struct CurvatureField {
 /// A wall as it is drawn, its material on the right of the points.
 struct WallLine {
   std::vector<Vec2> points{};  // [m] in the frame of the profile
-  bool closed = false;
-  bool endless = false;  // the straight line through the two points
+  bool closed = false;         // the last point is joined to the first
+  bool endless = false;        // the straight line through the two points
 };
 
 /// A shape in its own frame. It has numbered regions, each with a formula that is smooth and
@@ -98,6 +98,7 @@ concept SlotProfile = requires(const P& profile, const Vec2& p, int region,
 /// the start pose. A value; copies share one immutable profile.
 class Slot {
  public:
+  /// `origin` [m] and `angle` [rad] of the profile's frame, global in the start pose.
   template <SlotProfile P>
   Slot(P profile, const Vec2& origin, double angle)
       : profile_(std::make_shared<const Holder<P>>(std::move(profile))),
@@ -116,21 +117,32 @@ class Slot {
   double angle() const { return angle_; }         ///< [rad]
 
   // The profile's functions; p is in the profile's frame [m].
+  /// [m]
   double half_width() const { return profile_->half_width(); }
+  /// What each region is, by its number.
   std::vector<SlotRegion> regions() const { return profile_->regions(); }
+  /// One for each region; empty if the profile does not know them.
   std::vector<CurvatureRange> curvatures() const { return profile_->curvatures(); }
+  /// Whether it is known how the curvature changes along the region.
   bool follows(int region) const { return profile_->follows(region); }
+  /// How the curvature changes at the place touched.
   CurvatureField curvature_field(const Touch& touch) const {
     return profile_->curvature_field(touch);
   }
+  /// As it is drawn; empty if the profile does not know.
   std::vector<WallLine> outline() const { return profile_->outline(); }
+  /// Where p is relative to a region.
   Touch touch(int region, const Vec2& p) const { return profile_->touch(region, p); }
+  /// The region whose wall is nearest to p.
   int nearest(const Vec2& p) const { return profile_->nearest(p); }
+  /// [m] where the region ends: < 0 inside, > 0 beyond.
   double boundary(int region, const Vec2& p) const { return profile_->boundary(region, p); }
+  /// The region on the other side of the boundary nearest to p.
   int successor(int region, const Vec2& p) const { return profile_->successor(region, p); }
 
   /// Walls of the same slot that the pin may touch at the same time, each a contact of its own.
   const std::vector<Slot>& others() const { return others_; }
+  /// Adds to others().
   void add(Slot other) { others_.push_back(std::move(other)); }
 
   /// Throws ModelError if a dimension is wrong.

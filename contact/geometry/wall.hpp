@@ -11,13 +11,15 @@
 
 namespace yoke {
 
+/// A wall along a curve and the disc that it is for.
 struct WallAlong {
-  Curve curve;
-  bool disc_on_left = true;
+  Curve curve;               // in the frame of the profile
+  bool disc_on_left = true;  // seen along the curve; the material is on the other side
   double disc_radius = 0.0;  // [m]
   double thickness = 0.0;    // [m], may be infinite
 };
 
+/// The profile, its frame that of the curve. Throws ModelError when a contact is built on it.
 Slot wall_profile(const WallAlong& wall);
 
 }  // namespace yoke

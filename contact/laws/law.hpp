@@ -41,6 +41,7 @@ struct GradedResponse {
   double energy_bend = 0.0;   // [J m^2] d2energy/dk2
 };
 
+/// What an elastic law is made from: anything callable with a penetration [m] >= 0.
 template <class F>
 concept ElasticFunction = requires(const F& law, double penetration) {
   { law(penetration) } -> std::convertible_to<ElasticResponse>;
@@ -56,6 +57,7 @@ concept ElasticFunction = requires(const F& law, double penetration) {
 ///                              of the wall where one is given (contact/wall_law.hpp).
 class ElasticLaw {
  public:
+  /// From a function. Throws what its check() throws.
   template <ElasticFunction F>
   ElasticLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
     limit_ = function_->limit();
@@ -73,6 +75,7 @@ class ElasticLaw {
     return r;
   }
 
+  /// Whether it depends on the curvature of the wall where it is touched.
   bool follows_curvature() const { return follows_; }
   /// The same where the curvature of the wall is `curvature` [1/m]; only if follows_curvature().
   GradedResponse response(double penetration, double curvature) const {
@@ -165,6 +168,8 @@ enum class Release {
   at_zero_penetration,  ///< the tensile phase is part of the law
 };
 
+/// What a dissipative law is made from: anything callable with what a contact knows and the elastic
+/// part.
 template <class F>
 concept DissipativeFunction = requires(const F& law, const ContactInput& input,
                                        const ElasticLaw& elastic) {
@@ -203,6 +208,7 @@ class DissipativeLaw {
     knows_force_change_ = function_->knows_force_change();
   }
 
+  /// Force, derivatives and energies of both parts together.
   ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const {
     if (function_) return function_->evaluate(in, elastic);
     const ElasticResponse e = elastic.response(in.penetration);
@@ -211,6 +217,7 @@ class DissipativeLaw {
 
   bool needs_largest_penetration() const { return needs_largest_penetration_; }
   Release release() const { return release_; }
+  /// Whether the formula has a corner.
   bool has_kink() const { return has_kink_; }
   /// Changes sign at the corner of the formula; only if has_kink().
   double kink(const ContactInput& in, const ElasticLaw& elastic) const {
@@ -219,12 +226,15 @@ class DissipativeLaw {
   double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const {
     return function_ ? function_->permanent_set(memory, elastic) : 0.0;
   }
+  /// Whether it may follow the curvature of a wall though its force is no multiple of the elastic
+  /// one.
   bool knows_force_change() const { return knows_force_change_; }
   /// Only if knows_force_change().
   double force_change(const ContactInput& in, const ElasticLaw& elastic,
                       const ElasticLaw& change) const {
     return function_->force_change(in, elastic, change);
   }
+  /// No dissipation.
   bool none() const { return !function_; }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
@@ -315,10 +325,11 @@ class DissipativeLaw {
 /// The law of one contact: ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}}, with friction
 /// ContactLaw{per_mm(49070, 1.10), HuntCrossley{0.32}, BrownMcPhee{.mu = 0.1, .mu_static = 0.12}}.
 struct ContactLaw {
-  ElasticLaw elastic;
-  DissipativeLaw dissipation{};
-  FrictionLaw friction{};
+  ElasticLaw elastic;            // force and stored energy of a penetration
+  DissipativeLaw dissipation{};  // none unless given
+  FrictionLaw friction{};        // none unless given
 
+  /// The normal force with its derivatives and energies.
   ContactOutput evaluate(const ContactInput& in) const { return dissipation.evaluate(in, elastic); }
   double penetration_limit() const { return elastic.limit(); }  ///< [m]
   std::string name() const;

@@ -25,9 +25,13 @@ class LocalLaw {
   LocalLaw(const LocalLaw&) = delete;
   LocalLaw& operator=(const LocalLaw&) = delete;
 
+  /// Whether the law depends on the curvature.
   bool follows() const { return law_.elastic.follows_curvature(); }
+  /// The elastic part at this curvature.
   const ElasticLaw& elastic() const { return follows() ? here_ : law_.elastic; }
+  /// The dissipative part, the same everywhere.
   const DissipativeLaw& dissipation() const { return law_.dissipation; }
+  /// Normal force, derivatives and energies at this curvature.
   ContactOutput evaluate(const ContactInput& in) const {
     return law_.dissipation.evaluate(in, elastic());
   }

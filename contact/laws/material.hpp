@@ -10,14 +10,14 @@
 namespace yoke {
 
 struct Material {
-  double E = 0.0;   // [Pa] Young's modulus, > 0
-  double nu = 0.0;  // Poisson's ratio, -1 < nu <= 0.5
-  std::string name = "material";
+  double E = 0.0;                 // [Pa] Young's modulus, > 0
+  double nu = 0.0;                // Poisson's ratio, -1 < nu <= 0.5
+  std::string name = "material";  // for messages
 };
 
 // The values the paper's tables were made with.
-inline const Material steel{207e9, 0.3, "steel"};
-inline const Material aluminium{70e9, 0.33, "aluminium"};
+inline const Material steel{207e9, 0.3, "steel"};          // 207 GPa, 0.3
+inline const Material aluminium{70e9, 0.33, "aluminium"};  // 70 GPa, 0.33
 
 /// Composite modulus E* [Pa]: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2. No pi in it. Throws
 /// ModelError.
@@ -30,9 +30,9 @@ enum class Conformity { external, internal };
 struct RoundPair {
   double pin_radius = 0.0;   // [m], > 0
   double wall_radius = 0.0;  // [m], > 0; internal: greater than pin_radius; infinite: a plane
-  Conformity conformity = Conformity::external;
-  Material pin = steel;
-  Material wall = steel;
+  Conformity conformity = Conformity::external;  ///< whether the wall is a bore
+  Material pin = steel;                          // its material
+  Material wall = steel;                         // its material
 
   /// Throws ModelError that names the law and the parameter. Laws that depend on the sum of the radii
   /// do not take a plane.

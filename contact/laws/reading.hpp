@@ -10,7 +10,7 @@ namespace yoke {
 
 enum class Reading { consistent, printed, tabulated };
 
-std::string_view name_of(Reading reading);
+std::string_view name_of(Reading reading);  ///< "consistent", "printed", "tabulated".
 
 /// Throws ModelError that lists the names.
 Reading reading_named(std::string_view name);

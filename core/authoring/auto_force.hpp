@@ -44,6 +44,7 @@ struct AutoBody : AutoPose<T> {
   T vx, vy, omega;         // [m/s, m/s, rad/s]
   T fx{}, fy{}, moment{};  // [N, N, N m] collected so far, about the centre of mass
 
+  /// [m/s] of the centre of mass, global.
   Eigen::Vector2<T> velocity() const { return {vx, vy}; }
   /// Global velocity of a body-fixed point [m/s].
   template <class V>
@@ -66,10 +67,10 @@ struct AutoBody : AutoPose<T> {
 /// What belongs to the element itself. Energies start at zero, as does z_dot.
 template <class T, int States = 0>
 struct AutoElement {
-  double t = 0.0;                      // [s]
-  const double* parameters = nullptr;  // in the order of parameters()
-  std::array<T, States> z{};
-  std::array<T, States> z_dot{};
+  double t = 0.0;                          // [s]
+  const double* parameters = nullptr;      // in the order of parameters()
+  std::array<T, States> z{};               // states, as states() names them
+  std::array<T, States> z_dot{};           // their rates, to be set
   T potential{}, stored{};                 // [J]
   T dissipated_power{}, supplied_power{};  // [W]
 };

@@ -24,6 +24,7 @@
 
 namespace yoke {
 
+/// At which states an element is checked, and over which sizes it is smooth.
 struct CheckOptions {
   int states = 5;       // how many ugly states are tried, where none is given
   unsigned seed = 1;    // of those states and of the multipliers for K
@@ -36,15 +37,17 @@ struct CheckOptions {
 
 /// The worst entry found, relative to the size of its row.
 struct ElementCheck {
-  std::string element;
-  double worst_error = 0.0;
-  std::string block = "none";  // "G", "dQ_dv", "power", ...
-  int row = 0, column = 0;
-  double analytic = 0.0, numeric = 0.0;
-  std::string problem;  // what else is wrong; empty: nothing
-  int entries = 0;      // how many were compared
+  std::string element;                   // its name
+  double worst_error = 0.0;              // relative to the size of its row
+  std::string block = "none";            // "G", "dQ_dv", "power", ...
+  int row = 0, column = 0;               // where in the block
+  double analytic = 0.0, numeric = 0.0;  // the entry, and what differences say
+  std::string problem;                   // what else is wrong; empty: nothing
+  int entries = 0;                       // how many were compared
 
+  /// Nothing is wrong, and all entries are within the tolerance.
   bool ok(double tolerance = 1e-7) const { return problem.empty() && worst_error <= tolerance; }
+  /// The worst entry or the problem, as a sentence.
   std::string message() const;
 };
 

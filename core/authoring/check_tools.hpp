@@ -13,10 +13,13 @@
 
 namespace yoke::checking {
 
+/// A block, row-major.
 using Values = std::vector<double>;
 
+/// For subscripts of vectors.
 inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+/// The largest size; 0 of none.
 double largest(std::span<const double> values);
 
 /// d f / d h at h = 0, entry by entry; `scale` is the size of h over which f is smooth.
@@ -25,11 +28,16 @@ Values differentiate(const std::function<Values(double h)>& f, double scale);
 /// The state an element is evaluated at, with the cosines and sines of the bodies.
 class Probe {
  public:
+  /// At the motion of `state`, which is copied.
   Probe(const Model& model, const State& state);
 
+  /// As elements take it; valid until the probe is changed.
   Motion motion() const { return {.t = t_, .bodies = bodies_, .inertia = model_->bodies()}; }
+  /// Moves the time alone [s].
   void advance_time(double h) { t_ += h; }
+  /// Moves x, y or angle (axis 0, 1, 2) by h [m, rad].
   void move_coordinate(BodyId id, int axis, double h);
+  /// Moves a rate by h [m/s, rad/s].
   void move_velocity(BodyId id, int axis, double h);
   /// Everything moves on with its velocity for the time h.
   void drift(double h);
@@ -45,10 +53,12 @@ class Probe {
 /// Collects comparisons into an ElementCheck.
 class Comparison {
  public:
+  /// Into `check`, which must outlive it.
   explicit Comparison(ElementCheck& check) : check_(check) {}
 
   /// Of several problems the first is kept.
   void complain(const std::string& problem);
+  /// Complains of a number that is not finite.
   void require_finite_block(const char* name, const Values& block);
   /// Relative to the row, but a row of zeros is judged by its block, and a block of zeros by
   /// `natural`, the size rounding errors come from. Columns to `skip` are not compared.
@@ -72,6 +82,7 @@ double step_scale(int column, const CheckOptions& options);
 /// [s] within which the motion stays where the element is smooth.
 double drift_scale(const Values& v, const CheckOptions& options);
 
+/// Whether a block has an entry that is not zero in a column that is not skipped.
 bool any_nonzero(const Values& block, const std::vector<bool>& skip);
 
 /// Checks an element at one state. True if something was seen that is not zero.

@@ -44,7 +44,7 @@ struct ControllerSample {
 
   double* parameters;                       // State::parameters
   const std::vector<std::size_t>* outputs;  // their indices
-  double* remembered;
+  double* remembered;                       // behind memory()
 };
 
 struct SampledController {

@@ -15,6 +15,7 @@
 
 namespace yoke {
 
+/// Where the path is, and which of the family.
 struct AbsorberPath {
   Vec2 center{0.0, 0.0};   // [m] the rotor's axis, global, in the start pose
   double direction = 0.0;  // [rad] from the axis to the vertex, from the x axis

@@ -10,8 +10,8 @@ namespace yoke {
 
 /// Least and greatest curvature [1/m], > 0 to the left, and where they are.
 struct BendRange {
-  double low = 0.0, high = 0.0;
-  double u_low = 0.0, u_high = 0.0;
+  double low = 0.0, high = 0.0;      // [1/m]
+  double u_low = 0.0, u_high = 0.0;  // where, within the piece
 };
 
 /// Between two places u of a piece.

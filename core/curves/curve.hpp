@@ -54,9 +54,11 @@ class CurvePiece {
 
   virtual double end() const = 0;                ///< u of the last point; the first has 0
   virtual bool closed() const { return false; }  ///< u = 0 and u = end() are the same point
+  /// The curve at u, also beyond its ends.
   virtual CurvePoint at(double u) const = 0;
   /// u of the point nearest to p; beyond the ends, the foot on the continuation.
   virtual double foot(const Vec2& p) const = 0;
+  /// Of p [m] from the nearest point, or from the continuation.
   virtual CurveOffset offset(const Vec2& p) const = 0;
   /// At u. Nothing if the piece does not know: laws then cannot follow the curvature along it.
   virtual std::optional<CurvatureChange> curvature_change(double /*u*/) const { return {}; }
@@ -68,8 +70,8 @@ class CurvePiece {
 
 /// A place on a curve.
 struct CurvePlace {
-  std::size_t piece = 0;
-  double u = 0.0;  // within the piece
+  std::size_t piece = 0;  // its number
+  double u = 0.0;         // within the piece
 };
 
 /// A curve in global axes of the start pose. Copies share their immutable pieces.
@@ -85,8 +87,11 @@ class Curve {
   ~Curve();
 
   const Vec2& origin() const { return origin_; }  ///< [m] of the coordinates of the pieces
+  /// How many there are.
   std::size_t pieces() const { return pieces_.size(); }
+  /// In coordinates relative to origin().
   const CurvePiece& piece(std::size_t i) const { return *pieces_[i]; }
+  /// Whether it ends where it begins.
   bool closed() const { return closed_; }
   double length() const { return length_; }  ///< [m], infinite for a straight line
 
@@ -126,9 +131,10 @@ Curve chain(const std::vector<Curve>& curves);
 /// Where a chain turns by an angle between two pieces: the piece before, and the angle [rad] of the
 /// turn, > 0 to the left. Turns below 1e-9 rad are none.
 struct CurveCorner {
-  std::size_t before = 0;
-  double turn = 0.0;
+  std::size_t before = 0;  // number of the piece
+  double turn = 0.0;       // [rad]
 };
+/// In the order of the pieces; that between the last and the first of a closed curve is the last.
 std::vector<CurveCorner> corners_of(const Curve& curve);
 
 /// Throws ModelError, whose message begins with the owner, if the curve crosses or touches itself.

@@ -17,6 +17,7 @@ Curve line_segment(const Vec2& from, const Vec2& to);
 /// Without ends, through a point [m] along a direction of any length but 0.
 Curve straight_line(const Vec2& through, const Vec2& along);
 
+/// An arc by its centre and the angle it sweeps.
 struct CircularArc {
   Vec2 center{0.0, 0.0};  // [m]
   double radius = 0.0;    // [m] > 0
@@ -33,9 +34,10 @@ Curve circle(const Vec2& center, double radius);
 /// tangent arc of that radius; refused where the sides are too short for it. `closed` goes back to
 /// the first point.
 struct PolylineOptions {
-  double fillet = 0.0;
-  bool closed = false;
+  double fillet = 0.0;  // [m]
+  bool closed = false;  // the last point is joined to the first
 };
+/// Lines, with arcs at the corners if there is a fillet.
 Curve polyline(const std::vector<Vec2>& points, const PolylineOptions& options = {});
 
 }  // namespace yoke

@@ -16,6 +16,7 @@
 
 namespace yoke {
 
+/// Where the groove of a drum is when unrolled.
 struct DevelopedGroove {
   Vec2 origin{0.0, 0.0};     // [m] where the motion begins with value 0; global, in the start pose
   Vec2 direction{1.0, 0.0};  // e, in which the argument grows; any length but 0
@@ -25,6 +26,7 @@ struct DevelopedGroove {
 /// Throws ModelError.
 Curve developed_groove(const MotionChain& motion, const DevelopedGroove& groove);
 
+/// Where a disc cam is, and its roller.
 struct DiscCam {
   Vec2 center{0.0, 0.0};       // [m] axis of the cam, global, in the start pose
   double direction = 0.0;      // [rad] from the axis to the roller

@@ -20,8 +20,8 @@ namespace yoke {
 
 class RelativePoint {
  public:
-  static constexpr std::size_t columns = 6;
-  using Row = std::array<double, columns>;
+  static constexpr std::size_t columns = 6;              // coordinates of both bodies
+  using Row = std::array<double, columns>;               // over q of a, then of b
   using Square = std::array<double, columns * columns>;  // row-major
 
   /// At one motion.
@@ -38,12 +38,15 @@ class RelativePoint {
         origin_(model.to_local(b, origin)),
         x_axis_(model.direction_to_local(b, rotate(angle, {1.0, 0.0}))) {}
 
+  /// That carries the point.
   BodyId a() const { return a_; }
+  /// That carries the shape.
   BodyId b() const { return b_; }
   const Vec2& point() const { return point_; }  ///< [m] in axes of a
   /// A point of the frame of the shape in axes of b [m].
   Vec2 on_body(const Vec2& p) const { return origin_ + p.x() * x_axis_ + p.y() * perp(x_axis_); }
 
+  /// Where the point is as both bodies see it.
   Place place(const Motion& motion) const {
     const BodyMotion &a = motion[a_], &b = motion[b_];
     const Vec2 s = a.to_global(point_);
@@ -62,6 +65,7 @@ class RelativePoint {
     return motion[b_].to_global(direction.x() * x_axis_ + direction.y() * perp(x_axis_));
   }
 
+  /// g for dD/dp = n.
   static Row gradient(const Vec2& n, const Place& at) {
     return {n.x(), n.y(), n.dot(perp(at.s)), -n.x(), -n.y(), -n.dot(perp(at.w))};
   }

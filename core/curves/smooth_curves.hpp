@@ -14,6 +14,7 @@
 
 namespace yoke {
 
+/// Of curve_through().
 struct SplineOptions {
   bool closed = false;  // from the last point on to the first
   int degree = 5;       // 3: curvature is continuous; 5: its first two derivatives too
@@ -24,6 +25,7 @@ struct SplineOptions {
 /// neighbours equal; with less than 6 points the degree is 3. Throws ModelError.
 Curve curve_through(const std::vector<Vec2>& points, const SplineOptions& options = {});
 
+/// Of curve_of().
 struct FunctionOptions {
   bool closed = false;  // the function has the same value, and goes on smoothly, at both ends
 };

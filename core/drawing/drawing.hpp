@@ -16,6 +16,7 @@ namespace yoke {
 
 class Model;
 
+/// What is drawn of an element, and what the points of the shape mean.
 enum class ShapeKind {
   pin,     ///< points[0] of `body` and points[1] of `other` are one point; both turn about it
   weld,    ///< the same, and neither turns against the other
@@ -36,19 +37,20 @@ enum class ShapeKind {
 /// Tells shapes of one kind apart: a driver and a torsional spring both turn a body.
 enum class ShapeRole { joint, spring, driver, load, contact };
 
+/// One shape of an element.
 struct Shape {
-  ShapeKind kind = ShapeKind::pin;
-  ShapeRole role = ShapeRole::joint;
-  std::string element{};  // the joint or force it belongs to
-  BodyId body{}, other{};
-  std::vector<Vec2> points{};
-  double radius = 0.0;  // [m] of discs and gears
-  bool closed = false;  // of curves and walls
+  ShapeKind kind = ShapeKind::pin;    // what is drawn
+  ShapeRole role = ShapeRole::joint;  // of what kind of element
+  std::string element{};              // the joint or force it belongs to
+  BodyId body{}, other{};             // the second body, where the kind has two
+  std::vector<Vec2> points{};         // [m] in axes of the bodies
+  double radius = 0.0;                // [m] of discs and gears
+  bool closed = false;                // of curves and walls
 };
 
 /// One body; see draw().
 struct DrawnBody {
-  std::string name;
+  std::string name;  // as in the model
   std::vector<Vec2>
       outline{};          // none: nothing but its centre of mass; one point: a mass at a joint
   bool given = false;     // by Body::outline: a closed polygon, to be drawn as it is
@@ -58,16 +60,24 @@ struct DrawnBody {
 class Drawing {
  public:
   // For elements. `a`, `b`: bodies; at_a, at_b: points in their axes.
+  /// A point of a and one of b that are the same; both turn about it.
   void pin(BodyId a, const Vec2& at_a, BodyId b, const Vec2& at_b);
+  /// The same, and neither turns against the other.
   void weld(BodyId a, const Vec2& at_a, BodyId b, const Vec2& at_b);
   /// A straight guide of `a`; `along` need not be a unit vector.
   void line(BodyId a, const Vec2& through, const Vec2& along);
+  /// What slides along a straight guide.
   void block(BodyId b, const Vec2& at, const Vec2& along);
+  /// A point that a line or curve guides.
   void point(BodyId a, const Vec2& at);
+  /// A curve of `b` that guides a point.
   void curve(BodyId b, std::vector<Vec2> points, bool closed);
+  /// Between a point of a and one of b.
   void rod(BodyId a, const Vec2& at_a, BodyId b, const Vec2& at_b);
+  /// Likewise.
   void spring(BodyId a, const Vec2& at_a, BodyId b, const Vec2& at_b);
-  void disc(BodyId body, const Vec2& center, double radius);
+  void disc(BodyId body, const Vec2& center, double radius);  ///< [m] A disc of `body`.
+  /// A wall of `body`, its material on the right of the points.
   void wall(BodyId body, std::vector<Vec2> points, bool closed);
   /// A wall along a straight line without ends, its material on the right.
   void endless_wall(BodyId body, const Vec2& through, const Vec2& along);
@@ -80,6 +90,7 @@ class Drawing {
   void gear(BodyId a, BodyId b, BodyId carrier, double ratio);
 
   const std::vector<DrawnBody>& bodies() const { return bodies_; }  ///< indices as in the model
+  /// In the order of the elements.
   const std::vector<Shape>& shapes() const { return shapes_; }
 
   friend Drawing draw(const Model& model);

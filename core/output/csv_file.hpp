@@ -16,6 +16,7 @@ namespace yoke {
 /// written to directly. Everything throws OutputError naming the path.
 class CsvFile {
  public:
+  /// Opens it beside `path`.
   explicit CsvFile(const std::filesystem::path& path);
   CsvFile(const CsvFile&) = delete;
   CsvFile& operator=(const CsvFile&) = delete;
@@ -26,6 +27,7 @@ class CsvFile {
   void cell(double number);
   /// In quotes where it needs them.
   void cell(std::string_view text);
+  /// Ends the line.
   void end_line() {
     buffer_.push_back('\n');
     first_cell_ = true;

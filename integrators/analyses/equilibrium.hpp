@@ -17,6 +17,7 @@
 
 namespace yoke {
 
+/// Which loads act, and how far they are followed.
 struct EquilibriumOptions {
   double t = 0.0;  // [s] drivers and loads are frozen at this time
   /// The forces that are applied gradually; empty: gravity and applied loads, that is, all that
@@ -31,14 +32,14 @@ struct EquilibriumOptions {
 enum class EquilibriumRoute { direct, load_steps, relaxation };
 
 struct Equilibrium {
-  bool found = false;
+  bool found = false;  // else see `reason`
   std::string reason;  // one sentence
   State state;         // at rest, with multipliers; a run can start from it
   Table row;           // one row under the names of simulate()'s samples, reactions included
-  EquilibriumRoute route = EquilibriumRoute::direct;
-  int load_steps = 0;
-  long iterations = 0;
-  double load = 0.0;                  // share of the loads reached, 1 if found
+  EquilibriumRoute route = EquilibriumRoute::direct;  // how it was found
+  int load_steps = 0;                                 // that were made
+  long iterations = 0;                                // of Newton
+  double load = 0.0;                                  // share of the loads reached, 1 if found
   std::string worst;                  // the body or equation with the largest residual
   double residual = 0.0;              // its residual in `unit`
   std::string unit;                   // N, N m, m, rad, or 1/s of a state z
@@ -52,6 +53,7 @@ struct Equilibrium {
   bool stable = true;
   bool neutral = false;  // a motion without stiffness is left
 
+  /// A number by its column: equilibrium["pivot.fx_N"]. Throws ModelError.
   double operator[](std::string_view column) const { return row.value(0, row.index(column)); }
 };
 

@@ -17,6 +17,7 @@
 
 namespace yoke {
 
+/// What is changed, from where to where, and in which steps.
 struct EquilibriumPathOptions {
   /// "element.parameter": a changeable parameter; empty: the factor of the loads.
   std::string parameter{};
@@ -35,11 +36,12 @@ struct EquilibriumPathOptions {
 /// though p goes on: other equilibria branch off, as where a perfect column buckles.
 enum class PathPoint { regular, limit, branch };
 
+/// A limit or branch point of a path.
 struct CriticalPoint {
-  PathPoint kind = PathPoint::limit;
-  double value = 0.0;   // of the factor or parameter
-  std::size_t row = 0;  // of EquilibriumPath::points
-  State state;          // at rest, with multipliers
+  PathPoint kind = PathPoint::limit;  // limit or branch
+  double value = 0.0;                 // of the factor or parameter
+  std::size_t row = 0;                // of EquilibriumPath::points
+  State state;                        // at rest, with multipliers
 };
 
 struct EquilibriumPath {

@@ -14,6 +14,7 @@
 
 namespace yoke {
 
+/// Until when, and how many rows.
 struct InverseDynamicsOptions {
   double until = 0.0;  // [s] end time, > 0
   int samples = 1001;  // rows, uniform in time, both ends; >= 2
@@ -33,9 +34,9 @@ Result inverse_dynamics(const Model& model, const InverseDynamicsOptions& option
 /// A drive that may act on one coordinate of a body: a force [N] on the centre of mass along x or
 /// y, or a torque [N m], the opposite on `against` (empty: the ground).
 struct Drive {
-  std::string body;
-  Coordinate coordinate = Coordinate::angle;
-  std::string against{};
+  std::string body;                           // its name
+  Coordinate coordinate = Coordinate::angle;  // a force along x or y, a torque
+  std::string against{};                      // a body; empty: the ground
 };
 
 /// Of a motion given as rows (Result::samples of a run, or a table with the same first columns),

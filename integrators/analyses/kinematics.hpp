@@ -11,6 +11,7 @@
 
 namespace yoke {
 
+/// Until when, how many rows, and what counts as nearly singular.
 struct KinematicsOptions {
   double until = 0.0;  // [s] end time, > 0
   int samples = 1001;  // rows, uniform in time, both ends; >= 2

@@ -30,10 +30,11 @@ namespace yoke {
 /// matrices, which are dense, are made; modes() finds the lowest modes of larger models without them.
 inline constexpr int largest_linearisation = 1500;
 
+/// The matrices of the linear equations, full and reduced.
 struct Linearisation {
-  using Sparse = Eigen::SparseMatrix<double>;
-  State state;                 // where, with accelerations and multipliers
-  Eigen::VectorXd mass;        // [n] diagonal of M, n = 3 bodies [kg, kg, kg m^2]
+  using Sparse = Eigen::SparseMatrix<double>;  // matrices of the whole model
+  State state;                                 // where, with accelerations and multipliers
+  Eigen::VectorXd mass;                        // [n] diagonal of M, n = 3 bodies [kg, kg, kg m^2]
   Eigen::VectorXd metric;      // [n] the same, next to nothing where a body has no mass or inertia
   Sparse C;                    // [n x n] -dQ/dv
   Sparse K;                    // [n x n] d(G^T lambda)/dq - dQ/dq
@@ -51,7 +52,7 @@ struct Linearisation {
 
   /// 3 per body less the independent equations.
   int degrees_of_freedom() const { return freedom; }
-  int freedom = 0;
+  int freedom = 0;  // degrees of freedom
 };
 
 /// About `state`, which is assembled first. Contacts are linearised as they are: in contact or
@@ -72,12 +73,13 @@ struct Mode {
 };
 
 struct Modes {
-  std::vector<Mode> modes;  // by natural frequency; a rigid-body motion has frequency 0
-  Linearisation linearisation;
+  std::vector<Mode> modes;      // by natural frequency; a rigid-body motion has frequency 0
+  Linearisation linearisation;  // of which they are the modes
   /// No mode grows: every Re s < 0 or, where nothing damps, = 0. A rigid-body motion is neutral.
   bool stable = true;
 };
 
+/// How many modes are wanted.
 struct ModesOptions {
   /// The lowest modes that are wanted, at least this many; 0: all, or 10 of a model that is larger
   /// than largest_linearisation.

@@ -15,16 +15,17 @@ namespace yoke {
 
 /// One column of the samples, over all rows.
 struct Agreement {
-  std::string column;
+  std::string column;       // its name
   double peak = 0.0;        // largest value, in the unit of the column
   double difference = 0.0;  // largest difference between the two runs
   /// -log10(difference / peak), from 0 to 16; 16 if both are zero throughout.
   double digits = 0.0;
 };
 
+/// The second run, and how far both agree.
 struct Verification {
-  std::string formulation;  // the second one
-  double relative_tolerance = 0.0;
+  std::string formulation;             // the second one
+  double relative_tolerance = 0.0;     // of the second run
   Summary summary;                     // of the second run
   std::vector<Agreement> quantities;   // in the order of the samples, but for time and the balance
   long events = 0, other_events = 0;   // of the first and of the second run

@@ -22,8 +22,8 @@ namespace yoke {
 struct AngleDriver {
   std::string name;
   BodyId body;
-  BodyId relative_to = ground;
-  TimeFunction angle{};  // f [rad]
+  BodyId relative_to = ground;  // from whose angle it is counted
+  TimeFunction angle{};         // f [rad]
 
   std::unique_ptr<Constraint> build(const Model& model) const;
 };

@@ -21,9 +21,9 @@ namespace yoke {
 struct DisplacementDriver {
   std::string name;
   BodyId body;
-  Vec2 at{0.0, 0.0};     // [m] the driven point, global, in the start pose
-  Vec2 along{1.0, 0.0};  // global, in the start pose; any length but 0
-  BodyId relative_to = ground;
+  Vec2 at{0.0, 0.0};            // [m] the driven point, global, in the start pose
+  Vec2 along{1.0, 0.0};         // global, in the start pose; any length but 0
+  BodyId relative_to = ground;  // in which the direction is fixed
   /// [m] where f = 0 is, global, in the start pose; default: at. So f counts from the start pose
   /// by default; with from = {0, 0} on the ground it is the coordinate itself.
   std::optional<Vec2> from{};

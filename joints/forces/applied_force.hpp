@@ -32,7 +32,7 @@ struct AppliedForce {
   BodyId body;
   Vec2 at{0.0, 0.0};                      // [m] the point, global, in the start pose
   std::function<Vec2(double t)> force{};  // f [N]
-  Frame frame = Frame::global;
+  Frame frame = Frame::global;            // of the components of `force`
   /// [N] Added to f, and alone if there is none: the changeable parameters "name.fx" and "name.fy".
   std::optional<Vec2> value{};
 
@@ -46,9 +46,11 @@ Vec2 load_point(const Model& model, const std::string& name, BodyId body, const 
 template <class F>
 class StateForce : public AutoForce<StateForce<F>, 1> {
  public:
+  /// `s` [m] the point in axes of the body, `frame` of the components.
   StateForce(const std::string& name, BodyId body, const Vec2& s, F force, Frame frame)
       : AutoForce<StateForce<F>, 1>(name, {body}), s_(s), force_(std::move(force)), frame_(frame) {}
 
+  /// Adds the force and its power.
   template <class T>
   void apply(AutoBody<T>& body, AutoElement<T>& e) const {
     const Eigen::Vector2<T> f = force_(e.t, std::as_const(body));
@@ -69,9 +71,9 @@ template <class F>
 struct StateForceDescription {
   std::string name;
   BodyId body;
-  Vec2 at;
-  F force;
-  Frame frame;
+  Vec2 at;      // [m] global, in the start pose
+  F force;      // f(t, body) [N]
+  Frame frame;  // of its components
 
   std::unique_ptr<ForceElement> build(const Model& model) const {
     return std::make_unique<StateForce<F>>(name, body, load_point(model, name, body, at), force,

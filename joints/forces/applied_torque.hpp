@@ -39,9 +39,11 @@ void require_torque_body(const Model& model, const std::string& name, BodyId bod
 template <class F>
 class StateTorque : public AutoForce<StateTorque<F>, 1> {
  public:
+  /// `torque` is T(t, body) [N m].
   StateTorque(const std::string& name, BodyId body, F torque)
       : AutoForce<StateTorque<F>, 1>(name, {body}), torque_(std::move(torque)) {}
 
+  /// Adds the torque and its power.
   template <class T>
   void apply(AutoBody<T>& body, AutoElement<T>& e) const {
     const T torque = torque_(e.t, std::as_const(body));
@@ -59,6 +61,7 @@ template <class F>
 struct StateTorqueDescription {
   std::string name;
   BodyId body;
+  /// T(t, body) [N m]
   F torque;
 
   std::unique_ptr<ForceElement> build(const Model& model) const {

@@ -29,15 +29,15 @@ struct DissipativeArguments {
 
 /// Description of a law.
 struct DissipativeNote {
-  std::string name;     // kebab-case, as make_dissipative() takes it
-  std::string title;    // authors and year
-  std::string formula;  // in the letters of its source
-  std::string source;
-  std::string meant_for;   // range of e
-  std::string delivers;    // restitution of a free central impact
-  std::string separation;  // where the contact ends, with or without tension
-  std::string persistent;  // behaviour in a contact that lasts
-  std::vector<std::string> caveats;
+  std::string name;                  // kebab-case, as make_dissipative() takes it
+  std::string title;                 // authors and year
+  std::string formula;               // in the letters of its source
+  std::string source;                // where it was published
+  std::string meant_for;             // range of e
+  std::string delivers;              // restitution of a free central impact
+  std::string separation;            // where the contact ends, with or without tension
+  std::string persistent;            // behaviour in a contact that lasts
+  std::vector<std::string> caveats;  // a sentence each
   std::vector<std::pair<std::string, std::string>> parameters;  // name; unit and range
   bool linear_only = false;                                     // needs F_e = K d
 };

@@ -22,24 +22,26 @@ namespace yoke {
 
 /// What the laws are made from, in SI units.
 struct ElasticArguments {
-  Material pin = steel, wall = steel;
-  double pin_radius = 0.0;   // [m], > 0
-  double wall_radius = 0.0;  // [m], > 0; internal: greater than pin_radius
-  Conformity conformity = Conformity::internal;
-  double length = 0.0;  // [m] of the line of contact, > 0
-  Reading reading = Reading::consistent;
+  Material pin = steel, wall = steel;            // materials
+  double pin_radius = 0.0;                       // [m], > 0
+  double wall_radius = 0.0;                      // [m], > 0; internal: greater than pin_radius
+  Conformity conformity = Conformity::internal;  // whether the wall is a bore
+  double length = 0.0;                           // [m] of the line of contact, > 0
+  Reading reading = Reading::consistent;         // of the published formula
 };
 
+/// What a law is made from: a name, its unit and the range accepted, as text.
 struct LawParameter {
-  std::string name, unit, range;
+  std::string name, unit, range;  // as text
 };
 
 /// Description of a law.
 struct ElasticNote {
+  /// name as make_elastic() takes it; authors and year; the rest as in its source
   std::string name, title, formula, source, validity;
-  std::vector<std::string> caveats;
-  std::vector<LawParameter> parameters;
-  std::vector<Reading> readings;
+  std::vector<std::string> caveats;      // a sentence each
+  std::vector<LawParameter> parameters;  // that enter the law
+  std::vector<Reading> readings;         // that exist of it
 };
 
 /// hertz, lankarani-nikravesh, radzimovsky, goldsmith, dubowsky-freudenstein, esdu-78035, johnson,

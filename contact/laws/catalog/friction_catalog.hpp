@@ -13,20 +13,21 @@
 
 namespace yoke {
 
+/// A parameter of a friction law as the catalogue knows it.
 struct FrictionParameter {
-  std::string name;
+  std::string name;          // as make_friction() takes it
   std::string unit;          // "" for a number without one
   std::string default_text;  // "" if it must be given
 };
 
 /// Description of a law.
 struct FrictionNote {
-  std::string name;  // kebab-case, as make_friction() takes it
-  std::string title;
-  std::string formula;
-  std::string source;
-  std::string caveat;
-  std::vector<FrictionParameter> parameters;
+  std::string name;                           // kebab-case, as make_friction() takes it
+  std::string title;                          // authors and year
+  std::string formula;                        // of T, in the letters of docs/friction.md
+  std::string source;                         // where it was published
+  std::string caveat;                         // "" if none
+  std::vector<FrictionParameter> parameters;  // with units and defaults
 };
 
 /// Every law, in the order of the literature.

@@ -21,8 +21,9 @@ struct PowerFit {
   double error_at_small_load = 0.0;  // signed K d^n/F - 1 at a thousandth of the largest load
   double max_load = 0.0;             // [N]
   double min_load = 0.0;             // [N]
-  int samples = 0;
+  int samples = 0;                   // how many forces were fitted
 
+  /// The fit as an elastic law.
   PowerLaw law() const { return {K, n, "power-law"}; }
 };
 

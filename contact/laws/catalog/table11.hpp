@@ -28,7 +28,7 @@ namespace yoke {
 
 /// One column of the table: a power law for each region of the slot.
 struct Table11 {
-  PowerLaw inner, outer, cap;
+  PowerLaw inner, outer, cap;  // of the walls of the paper's slot, and of its round ends
 };
 
 /// table11-lankarani-nikravesh, table11-radzimovsky, table11-johnson, table11-goldsmith and

@@ -23,9 +23,8 @@ struct HerbertMcWhannell {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
-  double damping() const {  ///< X, that is chi v_i
-    return 6.0 * (1.0 - e) / ((2.0 * e - 1.0) * (2.0 * e - 1.0) + 3.0);
-  }
+  /// X, that is chi v_i.
+  double damping() const { return 6.0 * (1.0 - e) / ((2.0 * e - 1.0) * (2.0 * e - 1.0) + 3.0); }
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_approach(in, elastic, damping(), slowest_approach);
   }

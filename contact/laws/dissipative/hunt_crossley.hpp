@@ -51,6 +51,7 @@ struct HuntCrossleyRestitution {
   }
 };
 
+/// The law with the chi that its authors give for a restitution e; `slowest_approach` [m/s].
 inline HuntCrossleyRestitution hunt_crossley_restitution(double e, double slowest_approach = 1e-3) {
   return {e, slowest_approach};
 }

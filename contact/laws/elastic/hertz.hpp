@@ -5,8 +5,7 @@
 //   F = K d^1.5,  K = 4/3 E* sqrt(R) [N/m^1.5],  R = R_pin R_wall/(R_wall +- R_pin), + external.
 // The length of the pin does not enter: it is a law of spheres.
 //   consistent, printed   the above
-//   tabulated             K = 4/3 pi E* sqrt(R) for a pin of 10 mm, in proportion to the length:
-//   the
+//   tabulated             K = 4/3 pi E* sqrt(R) for a pin of 10 mm, in proportion to the length: the
 //                         column of Table 11 is this for 1 mm, pi/10 of the right K
 // H. M. Lankarani, P. E. Nikravesh, J. Mech. Des. 112, 1990; Machines 2022, 10, 966, Table 1.
 #pragma once

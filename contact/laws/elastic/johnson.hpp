@@ -29,7 +29,7 @@ struct Johnson {
   const double modulus;            // [Pa] composite E*
   const double radius_difference;  // [m] DR: the sum of the radii in an external contact
   const double length;             // [m] of the line of contact
-  const LogarithmicLaw law;
+  const LogarithmicLaw law;        // with a and B of this pair
 };
 
 /// Johnson's law for a pin on a wall along `length` [m]. Throws ModelError.

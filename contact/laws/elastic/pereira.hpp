@@ -26,6 +26,7 @@ namespace yoke {
 
 /// `length` [m] of the line of contact. Throws ModelError, also outside the range of DR.
 PowerLaw pereira_2011(const RoundPair& pair, double length, Reading reading = Reading::consistent);
+/// Their law of 2015 for a pin on a wall along `length` [m]. Throws ModelError.
 PowerLaw pereira_2015(const RoundPair& pair, double length, Reading reading = Reading::consistent);
 
 }  // namespace yoke

@@ -14,9 +14,9 @@
 namespace yoke {
 
 struct PowerLaw {
-  double K = 0.0;  // [N/m^n], > 0
-  double n = 1.0;  // >= 1: below, the stiffness at first touch would be infinite
-  std::string label = "power-law";
+  double K = 0.0;                   // [N/m^n], > 0
+  double n = 1.0;                   // >= 1: below, the stiffness at first touch would be infinite
+  std::string label = "power-law";  // what results and errors call it
 
   ElasticResponse operator()(double penetration) const {
     const double secant = K * std::pow(penetration, n - 1.0);

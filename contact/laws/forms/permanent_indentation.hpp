@@ -18,6 +18,7 @@
 
 namespace yoke {
 
+/// Force and energies of a law that returns e^2 of the work of loading, see above.
 inline ContactOutput with_permanent_indentation(const ContactInput& in, const ElasticLaw& elastic,
                                                 double e) {
   const double returned = e * e;
@@ -41,6 +42,7 @@ inline ContactOutput with_permanent_indentation(const ContactInput& in, const El
           .stored_energy = returned * r.energy};
 }
 
+/// [m] d_p = d_m (1 - e^2).
 inline double permanent_indentation(const ContactMemory& memory, double e) {
   return memory.largest_penetration * (1.0 - e) * (1.0 + e);
 }

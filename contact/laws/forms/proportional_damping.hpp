@@ -34,6 +34,7 @@ inline ContactOutput damped_by_approach(const ContactInput& in, const ElasticLaw
   return damped_in_proportion(elastic.response(in.penetration), X / v_i, in.rate);
 }
 
+/// Throws ModelError unless `least_e` <= e <= 1 and the floor of the approach velocity is positive.
 inline void check_damped_by_approach(std::string_view owner, double e, double least_e,
                                      double slowest_approach) {
   require_range(owner, "e", e, least_e, 1.0);

@@ -13,6 +13,7 @@ namespace yoke {
 
 enum class TensilePhase { keep, clamp };
 
+/// Where a contact ends under it.
 inline Release release_of(TensilePhase policy) {
   return policy == TensilePhase::keep ? Release::at_zero_penetration : Release::at_zero_force;
 }

@@ -17,9 +17,9 @@ namespace yoke {
 /// A parameter of a law, as `yoke run --friction` takes it.
 template <class Law>
 struct FrictionField {
-  const char* name;
-  const char* unit;  // "" for a number without one
-  double Law::*value;
+  const char* name;    // as "mu"
+  const char* unit;    // "" for a number without one
+  double Law::*value;  // where it is stored
 };
 
 /// A coefficient of friction and its derivative by the sliding velocity.
