@@ -90,8 +90,7 @@ Model driven_slider_crank(double crank, double rod, double omega,
                           const std::optional<Clearance>& slider_pin) {
   Model m =
       slider_crank({crank, 0.30, 1e-5}, {rod, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega, slider_pin);
-  m.add(AngleDriver{
-      .name = "motor", .body = m.find_body("crank"), .angle = constant_speed(0.0, omega)});
+  m.add(AngleDriver{.name = "motor", .body = m.find_body("crank"), .speed = omega});
   return m;
 }
 
