@@ -123,6 +123,7 @@ void Run::drive(const std::vector<double>& values) {
     throw;
   }
   stale_ = true;
+  result_.summary.t_end = state_.t;
   guarded([this] {
     elements_.handle_consequences();
     if (result_.summary.stop == Stop::by_event) {
