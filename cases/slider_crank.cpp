@@ -76,8 +76,7 @@ Model slider_crank(const Link& crank, const Link& rod, const Link& slider, doubl
 Model driven(double crank, double rod, double omega, const JointChoices& joints) {
   Model m =
       slider_crank({crank, 0.30, 1e-5}, {rod, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega, joints);
-  m.add(AngleDriver{
-      .name = "motor", .body = m.find_body("crank"), .angle = constant_speed(0.0, omega)});
+  m.add(AngleDriver{.name = "motor", .body = m.find_body("crank"), .speed = omega});
   return m;
 }
 

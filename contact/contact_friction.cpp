@@ -21,12 +21,12 @@ std::vector<Channel> ContactElement::states() const {
 
 FrictionOutput ContactElement::calc_friction(const ForceInput& in, double normal_force,
                                              double sliding) const {
-  return law(in.contact->region)
-      .friction.evaluate({.normal_force = std::max(normal_force, 0.0),
-                          .sliding = sliding,
-                          .state = has_bristles_ ? in.z[0] : 0.0,
-                          .direction = direction_of(in.contact->grip),
-                          .reference_force = reference_force_});
+  return law(in.contact->region, in)
+      ->friction.evaluate({.normal_force = std::max(normal_force, 0.0),
+                           .sliding = sliding,
+                           .state = has_bristles_ ? in.z[0] : 0.0,
+                           .direction = direction_of(in.contact->grip),
+                           .reference_force = reference_force_});
 }
 
 /// In contact, with friction that is a force now.
@@ -65,7 +65,7 @@ void ContactElement::calc_hold(const ForceInput& in, const ConstraintRequest& ou
 
 double ContactElement::holding_force(const ForceInput& in) const {
   const double pressure = std::max(calc_law(in, *in.contact).force, 0.0);
-  return law(in.contact->region).friction.holding_force(pressure);
+  return law(in.contact->region, in)->friction.holding_force(pressure);
 }
 
 void ContactElement::handle_grip(EventContext& context) const {
@@ -160,9 +160,9 @@ void ContactElement::add_friction(const ForceInput& in, const ForceRequest& out,
 
 /// [J] stored in the bristles under the law of a region.
 double ContactElement::friction_energy(const EventContext& context, int region) const {
-  const FrictionLaw& friction = law(region).friction;
-  if (!friction.has_state()) return 0.0;
-  return friction.evaluate({.state = context.z[0], .reference_force = reference_force_})
+  if (!law(region).friction.has_state()) return 0.0;
+  return law(region, context.input)
+      ->friction.evaluate({.state = context.z[0], .reference_force = reference_force_})
       .stored_energy;
 }
 

@@ -17,22 +17,12 @@
 #include <yoke/core/constraint.hpp>
 #include <yoke/core/contact_memory.hpp>
 #include <yoke/core/motion.hpp>
+#include <yoke/core/parameter.hpp>
 
 namespace yoke {
 
 class Drawing;
 class Model;
-
-/// A number that may be changed from run to run without building the model again. It lives in the
-/// State under "element.name".
-struct Parameter {
-  std::string name;                                       // as "stiffness"
-  std::string unit;                                       // as "N/m"
-  double value = 0.0;                                     // default, in the unit
-  double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
-  double high = std::numeric_limits<double>::infinity();  ///< greatest value accepted
-  bool load = false;  // a force that depends on no motion and stores no energy
-};
 
 /// A quantity an element reports at every output sample. `labels` not empty: the value is an index
 /// into it and is written as text.
@@ -170,6 +160,9 @@ class ForceElement {
   virtual void initial_states(double* /*z*/) const {}
   /// What may be changed from run to run, with defaults and ranges.
   virtual std::vector<Parameter> parameters() const { return {}; }
+  /// Throws ModelError where values within their ranges do not go together, or the ranges are only known
+  /// to something else.
+  virtual void check_parameters(const double* /*values*/) const {}
 
   virtual int contacts() const { return 0; }  ///< how many ContactMemory it owns
   /// Sets the contact memory of a state at which a run starts (touching or not).

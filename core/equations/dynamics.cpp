@@ -132,8 +132,7 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
   const auto constraints = system_.constraints();
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const ConstraintSlot& c = constraints[i];
-    c.element->evaluate(system_.motion(),
-                        {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
+    system_.evaluate(c, {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
                          .G = reuse ? nullptr : system_.G() + c.block,
                          .gamma = gamma + c.row});
     if (!reuse) stamp(i);

@@ -150,7 +150,7 @@ std::string Dynamics::contradiction(double t, const double* q, double bound) {
   for (const ConstraintSlot& c : system_.constraints()) {
     bool left_out = false;
     for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_left_out(i);
-    if (left_out) c.element->evaluate(system_.motion(), {.phi = phi_.data() + c.row});
+    if (left_out) system_.evaluate(c, {.phi = phi_.data() + c.row});
   }
   for (const int row : system_.left_out_rows()) {
     const bool is_length = system_.measure(row) == Measure::length;

@@ -148,7 +148,7 @@ void HeldRow::evaluate(const Motion& motion, const ConstraintRequest& out) const
 }
 
 void System::lay_out_forces() {
-  int block = 0, parameters = 0, contacts = 0;
+  int block = 0, contacts = 0;
   for (const auto& f : model_.forces()) {
     const std::vector<BodyId> bodies = f->bodies(model_);
     ForceSlot slot{.element = f.get(),
@@ -157,14 +157,13 @@ void System::lay_out_forces() {
                    .block = block,
                    .states = static_cast<int>(f->states().size()),
                    .z = states_,
-                   .parameters = parameters,
+                   .parameters = static_cast<int>(model_.first_parameter_of_force(forces_.size())),
                    .contacts = contacts,
                    .events = events_};
     if (f->dissipates()) slot.dissipated = quadratures_++;
     if (f->supplies()) slot.supplied = quadratures_++;
     block += slot.columns;
     states_ += slot.states;
-    parameters += static_cast<int>(f->parameters().size());
     contacts += f->contacts();
     events_ += f->events();
     find_load(slot);
@@ -172,6 +171,10 @@ void System::lay_out_forces() {
     forces_.push_back(slot);
   }
   Q_.assign(at(block), 0.0);
+  for (std::size_t i = 0; i < constraints_.size(); ++i)
+    constraints_[i].parameters = static_cast<int>(model_.first_parameter_of_constraint(i));
+  start_parameters_ = model_.start_state().parameters;
+  parameters_ = start_parameters_.data();
 }
 
 void System::find_load(ForceSlot& slot) const {
@@ -316,7 +319,7 @@ ForceInput System::force_input(const ForceSlot& slot) const {
 
 void System::calc_position_level(double* phi) {
   for (const ConstraintSlot& c : constraints_)
-    c.element->evaluate(motion_, {.phi = phi + c.row, .G = G_.data() + c.block});
+    evaluate(c, {.phi = phi + c.row, .G = G_.data() + c.block});
 }
 
 double System::norm(const double* residual, int* worst) const {
@@ -338,7 +341,7 @@ void System::calc_velocity_residual(double* residual) {
   for (const ConstraintSlot& c : constraints_) {
     double* out = residual + c.row;
     if (c.quadrature >= 0 || c.hold >= 0) {
-      c.element->evaluate(motion_, {.phi_t = out});
+      evaluate(c, {.phi_t = out});
     } else {
       std::fill_n(out, c.rows, 0.0);
     }
@@ -441,7 +444,7 @@ void System::add_driver_power(const double* lambda, double* quadrature_rates) {
     if (quadrature < 0 || (c.hold >= 0 && is_dropped(c.row))) continue;
     // Force on the mechanism -G^T lambda, so its power is -lambda^T G v = lambda^T Phi_t.
     double* phi_t = phi_t_.data() + c.row;
-    c.element->evaluate(motion_, {.phi_t = phi_t});
+    evaluate(c, {.phi_t = phi_t});
     double power = 0.0;
     for (int i = 0; i < c.rows; ++i) power += lambda[c.row + i] * phi_t[i];
     if (drives)
@@ -482,7 +485,7 @@ void System::blame_not_finite() {
     if (!finite(local, f.columns)) not_finite_ = f.element->name();
   }
   for (const ConstraintSlot& c : constraints_) {
-    c.element->evaluate(motion_, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
+    evaluate(c, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
     if (!finite(G_.data() + c.block, c.rows * c.columns) || !finite(phi_t_.data() + c.row, c.rows))
       not_finite_ = c.element->name();
   }

@@ -33,6 +33,7 @@ struct ConstraintSlot {
   int dofs = 0;         // offset into System::dof: global coordinate of each local column
   int block = 0;        // offset of its [rows x 3k] block in G (and H)
   int quadrature = -1;  // work done by a driver
+  int parameters = 0;   // offset into State::parameters
   int hold = -1;        // of friction that may hold: its force element, index into System::forces()
 };
 
@@ -130,6 +131,12 @@ class System {
   void set_states(const double* z) { z_ = z; }
   const Motion& motion() const { return motion_; }
   ForceInput force_input(const ForceSlot& slot) const;
+  /// The blocks of a constraint, at the motion set last or at another.
+  void evaluate(const ConstraintSlot& c, ConstraintRequest out) const { evaluate(c, motion_, out); }
+  void evaluate(const ConstraintSlot& c, const Motion& motion, ConstraintRequest out) const {
+    out.parameters = parameters_ + c.parameters;
+    c.element->evaluate(motion, out);
+  }
 
   /// Phi [rows] and G (blocks).
   void calc_position_level(double* phi);
@@ -217,6 +224,7 @@ class System {
   std::vector<double> Q_;
   const double* z_ = nullptr;
   const double* parameters_ = nullptr;
+  std::vector<double> start_parameters_;  // until bind()
   const ContactMemory* contacts_ = nullptr;
   std::vector<std::size_t> loaded_;
   const double* multipliers_ = nullptr;

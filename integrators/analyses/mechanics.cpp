@@ -66,7 +66,7 @@ void Mechanics::Equations::evaluate() {
   system.calc_velocity_residual(off.data());
   G.setZero();
   for (const ConstraintSlot& c : system.constraints()) {
-    c.element->evaluate(system.motion(), {.gamma = gamma.data() + c.row});
+    system.evaluate(c, {.gamma = gamma.data() + c.row});
     for (int i = 0; i < c.rows; ++i)
       for (int j = 0; j < c.columns; ++j)
         if (const int dof = system.dof()[static_cast<std::size_t>(c.dofs + j)]; dof >= 0)

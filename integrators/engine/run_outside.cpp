@@ -72,12 +72,26 @@ void Run::disturb() {
   disturbed_ = true;
 }
 
+double Run::parameter(std::size_t index) const {
+  std::vector<double> values = state_.parameters;
+  dynamics_.system().model().update_parameters(t_shown_, values);
+  return values.at(index);
+}
+
 void Run::set_parameter(std::size_t index, double value) {
+  const Model& model = dynamics_.system().model();
+  const Parameter parameter = model.parameter(index);
+  model.check_parameter(index, value);
   std::vector<double> values = state_.parameters;
   values.at(index) = value;
-  const Model& model = dynamics_.system().model();
   model.check_parameters(values);
-  if (ended_ || values == state_.parameters) return;
+  if (ended_ || value == this->parameter(index)) return;
+  if (model.parameters()[index].of_constraint) {
+    values = state_.parameters;
+    model.update_parameters(t_shown_, values);
+    values.at(index) = value;
+    return drive(values);
+  }
   disturb();
   System& system = dynamics_.system();
   const auto elastic = [&] {
@@ -92,7 +106,33 @@ void Run::set_parameter(std::size_t index, double value) {
   ledger.initial += elastic() - before;
   samples_->set_ledger(ledger);
   stale_ = true;
-  stiffness_changed_ = stiffness_changed_ || !model.parameter(index).load;
+  stiffness_changed_ = stiffness_changed_ || !parameter.load;
+}
+
+/// Parameters of drivers. If joints cannot follow, nothing has happened; what else the blow of a new speed
+/// leads to happens at once.
+void Run::drive(const std::vector<double>& values) {
+  disturb();
+  settle();
+  if (stopped_) return;
+  const State before = state_;
+  try {
+    elements_.drive(values);
+  } catch (...) {
+    state_ = before;
+    dynamics_.system().bind(state_);
+    throw;
+  }
+  stale_ = true;
+  result_.summary.t_end = state_.t;
+  guarded([this] {
+    elements_.handle_consequences();
+    if (result_.summary.stop == Stop::by_event) {
+      settle();
+      samples_->record_end(state_);
+    }
+    if (stopped_) end();
+  });
 }
 
 // False if the run ends here.

@@ -31,6 +31,8 @@ class JointFriction final : public ForceElement {
   const Constraint* loaded_by() const override { return &joint_; }
   bool dissipates() const override { return true; }
   std::string signature() const override { return law_.name(); }
+  std::vector<Parameter> parameters() const override { return law_.parameters(); }
+  void check_parameters(const double* values) const override { law_.check(values); }
 
   std::vector<Channel> states() const override {
     if (!law_.has_state()) return {};
@@ -94,7 +96,7 @@ class JointFriction final : public ForceElement {
       out.K[i] += *out.lambda * slip.slope[i];
   }
   double holding_force(const ForceInput& in) const override {
-    return law_.holding_force(calc_load(in).force);
+    return law_.bound(in.parameters).holding_force(calc_load(in).force);
   }
 
   std::vector<Channel> channels() const override {
@@ -163,11 +165,12 @@ class JointFriction final : public ForceElement {
   }
 
   FrictionOutput calc_law(const ForceInput& in, double load, double speed) const {
-    return law_.evaluate({.normal_force = load,
-                          .sliding = speed,
-                          .state = law_.has_state() ? in.z[0] : 0.0,
-                          .direction = holds_ ? direction_of(in.contact->grip) : 0.0,
-                          .reference_force = reference_force_});
+    return law_.bound(in.parameters)
+        .evaluate({.normal_force = load,
+                   .sliding = speed,
+                   .state = law_.has_state() ? in.z[0] : 0.0,
+                   .direction = holds_ ? direction_of(in.contact->grip) : 0.0,
+                   .reference_force = reference_force_});
   }
 
   void write_row(std::size_t i, const Slip& slip, const FrictionOutput& f,

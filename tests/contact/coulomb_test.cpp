@@ -15,8 +15,8 @@
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
-#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>

@@ -104,9 +104,8 @@ Tangent calc_tangent(System& system, const State& state, std::span<const double>
   for (const ConstraintSlot& c : system.constraints()) {
     const std::size_t k = at(c.columns), rows = at(c.rows);
     std::vector<double> g(rows * k), h(rows * k), stiffness(k * k);
-    c.element->evaluate(
-        system.motion(),
-        {.G = g.data(), .H = h.data(), .K = stiffness.data(), .lambda = lambda.data() + c.row});
+    system.evaluate(
+        c, {.G = g.data(), .H = h.data(), .K = stiffness.data(), .lambda = lambda.data() + c.row});
     const std::span<const int> dofs = system.dof().subspan(at(c.dofs), k);
     std::vector<int> equations = range(c.row, c.rows);
     for (int& equation : equations)

@@ -21,9 +21,8 @@ BaumgarteEquations::BaumgarteEquations(System& system, const Baumgarte& stabilis
 
 void BaumgarteEquations::calc_constraint_residual(const double* v_dot, double* r_l) {
   for (const ConstraintSlot& c : system_.constraints())
-    c.element->evaluate(
-        system_.motion(),
-        {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = r_l + c.row});
+    system_.evaluate(
+        c, {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = r_l + c.row});
   system_.calc_velocity_residual(phi_dot_.data());
   const auto [alpha, beta] = stabilisation_;
   for (std::size_t i = 0; i < phi_.size(); ++i)

@@ -197,7 +197,7 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
     out.K = K_.data();
     out.lambda = at.lambda + c.row;
   }
-  c.element->evaluate(system_.motion(), out);
+  system_.evaluate(c, out);
   add(Block::G, i, system_.G());
   add(Block::G_position, i, system_.G());
   add(Block::G_T, i, system_.G());
@@ -206,7 +206,7 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
   add(Block::K_lambda, i, K_.data());
   if (!uses(Block::K_mu)) return;
   clear();
-  c.element->evaluate(system_.motion(), {.K = K_.data(), .lambda = at.mu + c.row});
+  system_.evaluate(c, {.K = K_.data(), .lambda = at.mu + c.row});
   add(Block::K_mu, i, K_.data());
 }
 
@@ -214,7 +214,7 @@ void IterationMatrix::add_second_velocity(const Point& at) {
   system_.set_motion(at.t, at.q, at.v_second);
   for (std::size_t i = 0; i < system_.constraints().size(); ++i) {
     const ConstraintSlot& c = system_.constraints()[i];
-    c.element->evaluate(system_.motion(), {.H = H_.data() + c.block});
+    system_.evaluate(c, {.H = H_.data() + c.block});
     add(Block::H_second, i, H_.data());
   }
 }
