@@ -61,21 +61,25 @@ std::unique_ptr<Simulation::Engine> Simulation::Engine::resume(const Model& mode
 }
 
 std::vector<std::uint8_t> to_bytes(const Snapshot& s) {
-  return nlohmann::json::to_cbor({{"state", nlohmann::json::binary(state_to_bytes(s.state))},
-                                  {"initial_energy", s.initial_energy},
-                                  {"formulation", s.formulation},
-                                  {"tolerance_kept", s.tolerance_kept},
-                                  {"left_out", s.left_out}});
+  return nlohmann::json::to_cbor(
+      {{"state", nlohmann::json::binary(state_to_bytes(s.state))},
+       {"initial_energy", s.initial_energy},
+       {"formulation", s.formulation},
+       {"tolerance_kept", s.tolerance_kept},
+       {"left_out", s.left_out},
+       {"v_taken", std::vector<double>(s.v_taken.begin(), s.v_taken.end())}});
 }
 
 Snapshot snapshot_from_bytes(std::span<const std::uint8_t> bytes) {
   try {
     const auto json = nlohmann::json::from_cbor(bytes.begin(), bytes.end());
+    const auto v = json.at("v_taken").get<std::vector<double>>();
     return {.state = state_from_bytes(json.at("state").get_binary()),
             .initial_energy = json.at("initial_energy"),
             .formulation = json.at("formulation"),
             .tolerance_kept = json.at("tolerance_kept"),
-            .left_out = json.at("left_out").get<std::vector<int>>()};
+            .left_out = json.at("left_out").get<std::vector<int>>(),
+            .v_taken = Eigen::VectorXd::Map(v.data(), static_cast<Eigen::Index>(v.size()))};
   } catch (const nlohmann::json::exception& error) {
     throw ModelError(fmt::format("these bytes are not a snapshot: {}", error.what()));
   }
