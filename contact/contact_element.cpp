@@ -105,6 +105,10 @@ void ContactElement::find_parameters(const std::string& owner) {
       throw ModelError(
           fmt::format("{}: the law '{}' ends at {:g} m; its stiffness cannot be changeable", owner,
                       laws_[i].name(), laws_[i].penetration_limit()));
+    if (laws_[i].elastic.fields() > 0 && laws_[i].elastic.follows_curvature())
+      throw ModelError(fmt::format(
+          "{}: the law '{}' follows the curvature of the wall; its stiffness cannot be changeable",
+          owner, laws_[i].name()));
     first_parameter_.push_back(count);
     count += static_cast<int>(own);
   }

@@ -37,6 +37,14 @@ std::vector<std::string> names_of(const Model& m) {
   return names;
 }
 
+/// One that follows the curvature of its wall.
+struct Following {
+  double K = 1.0;
+  static constexpr LawField<Following> fields[] = {{"K", "N/m", &Following::K}};
+  ElasticResponse operator()(double d) const { return {K * d, K, 0.5 * K * d * d}; }
+  GradedResponse operator()(double d, double) const { return {.here = (*this)(d)}; }
+};
+
 Model disc_on_floor(const ContactLaw& law) {
   Model m;
   const BodyId disc =
@@ -125,4 +133,7 @@ TEST_CASE("numbers that a law does not take are refused with contact, law, value
   CHECK(contains(message_of([] { disc_on_floor({changeable(Ending{1e7})}); }),
                  "contact 'floor': the law 'elastic law' ends at 0.001 m; its stiffness cannot be "
                  "changeable"));
+  CHECK(contains(message_of([] { disc_on_floor({changeable(Following{1e7})}); }),
+                 "contact 'floor': the law 'elastic law' follows the curvature of the wall; its "
+                 "stiffness cannot be changeable"));
 }

@@ -86,7 +86,7 @@ TEST_CASE("a run whose law was changed at once is that of a model with the other
 }
 
 TEST_CASE("a stiffness that is set within a contact keeps the ledger") {
-  for (const std::string& formulation : {"arkode-projection", "ida-ggl"}) {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl"}) {
     const Model m = disc({changeable(PowerLaw{1e6, 1.0})}, 1e-6, 1.0);
     Simulation run(m, {.until = 0.02, .formulation = formulation, .samples = 0});
     run.advance_to(0.001);  // deep within
