@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <yoke/cases/case.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
@@ -28,10 +29,15 @@ struct Link {
   double length, mass, inertia;
 };
 
+struct JointChoices {
+  std::optional<Clearance> pin{}, guide{};
+  std::optional<PinFriction> pin_friction{};
+  std::optional<GuideFriction> guide_friction{};
+};
+
 /// All links along x, the crank turning at `omega`, the slider at rest.
 Model slider_crank(const Link& crank, const Link& rod, const Link& slider, double omega,
-                   const std::optional<Clearance>& pin = {},
-                   const std::optional<Clearance>& guide = {}, double spin = 0.0) {
+                   const JointChoices& joints = {}, double spin = 0.0) {
   Model m;
   const double l1 = crank.length, l2 = rod.length, end = l1 + l2;
   const BodyId first = m.add(Body{.name = "crank",
@@ -49,12 +55,28 @@ Model slider_crank(const Link& crank, const Link& rod, const Link& slider, doubl
                                   .inertia = slider.inertia,
                                   .pose = {{end, 0.0}, 0.0},
                                   .twist = {{0.0, 0.0}, spin}});
-  m.add(Revolute{.name = "pivot", .a = ground, .b = first, .at = origin});
-  m.add(Revolute{.name = "crank pin", .a = first, .b = second, .at = {l1, 0.0}});
-  m.add(
-      Revolute{.name = "slider pin", .a = second, .b = third, .at = {end, 0.0}, .clearance = pin});
-  m.add(
-      Prismatic{.name = "guide", .a = ground, .b = third, .along = {1.0, 0.0}, .clearance = guide});
+  const std::optional<PinFriction>& rubs = joints.pin_friction;
+  m.add(Revolute{.name = "pivot", .a = ground, .b = first, .at = origin, .friction = rubs});
+  m.add(Revolute{.name = "crank pin", .a = first, .b = second, .at = {l1, 0.0}, .friction = rubs});
+  m.add(Revolute{.name = "slider pin",
+                 .a = second,
+                 .b = third,
+                 .at = {end, 0.0},
+                 .clearance = joints.pin,
+                 .friction = rubs});
+  m.add(Prismatic{.name = "guide",
+                  .a = ground,
+                  .b = third,
+                  .along = {1.0, 0.0},
+                  .clearance = joints.guide,
+                  .friction = joints.guide_friction});
+  return m;
+}
+
+Model driven(double crank, double rod, double omega, const JointChoices& joints) {
+  Model m =
+      slider_crank({crank, 0.30, 1e-5}, {rod, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega, joints);
+  m.add(AngleDriver{.name = "motor", .body = m.find_body("crank"), .speed = omega});
   return m;
 }
 
@@ -63,7 +85,12 @@ Model model_of(const Parameters& p) {
   if (!(l > r))
     throw ModelError(fmt::format(
         "slider_crank: rod = {:g} mm must be longer than the crank, {:g} mm", 1e3 * l, 1e3 * r));
-  return driven_slider_crank(r, l, omega);
+  JointChoices joints;
+  if (const double mu = p.number("friction"); mu > 0.0) {
+    joints.pin_friction = PinFriction{.law = Coulomb{mu, mu}, .radius = p.number("pin_radius")};
+    joints.guide_friction = GuideFriction{.law = Coulomb{mu, mu}, .length = p.number("block")};
+  }
+  return driven(r, l, omega, joints);
 }
 
 std::vector<Check> slider_crank_checks(const Parameters& p, const Model&, const Result& run) {
@@ -81,18 +108,14 @@ std::vector<Check> slider_crank_checks(const Parameters& p, const Model&, const 
 
 Model free_slider_crank(const std::optional<Clearance>& guide, double spin) {
   Model m = slider_crank({0.153, 0.038, 7.4e-5}, {0.306, 0.038, 5.9e-4}, {0.0, 0.076, 2.7e-6},
-                         150.0, {}, guide, spin);
+                         150.0, {.guide = guide}, spin);
   m.add(Gravity{});
   return m;
 }
 
 Model driven_slider_crank(double crank, double rod, double omega,
                           const std::optional<Clearance>& slider_pin) {
-  Model m =
-      slider_crank({crank, 0.30, 1e-5}, {rod, 0.21, 2.5e-5}, {0.0, 0.14, 1e-4}, omega, slider_pin);
-  m.add(AngleDriver{
-      .name = "motor", .body = m.find_body("crank"), .angle = constant_speed(0.0, omega)});
-  return m;
+  return driven(crank, rod, omega, {.pin = slider_pin});
 }
 
 Model sprung_slider_crank() {
@@ -142,7 +165,25 @@ Case slider_crank_case() {
                           .default_text = "5000",
                           .low = 1e-3,
                           .high = 1e5,
-                          .description = "of the crank, in revolutions per minute"}},
+                          .description = "of the crank, in revolutions per minute"},
+                         {.name = "friction",
+                          .quantity = Quantity::number,
+                          .default_text = "0",
+                          .low = 0.0,
+                          .high = 1.0,
+                          .description = "coefficient of Coulomb friction in all four joints"},
+                         {.name = "pin_radius",
+                          .quantity = Quantity::length,
+                          .default_text = "10mm",
+                          .low = 1e-4,
+                          .high = 0.1,
+                          .description = "of the pins, for their friction"},
+                         {.name = "block",
+                          .quantity = Quantity::length,
+                          .default_text = "40mm",
+                          .low = 1e-3,
+                          .high = 1.0,
+                          .description = "length of the slider in its guide, for its friction"}},
           .default_output = "results/slider_crank",
           .model = [](const Parameters& p, const WallLaws&) { return model_of(p); },
           .duration = [](const Parameters& p) { return 120.0 / p.number("speed"); },

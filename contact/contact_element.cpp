@@ -76,6 +76,7 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
         "{}: there is no friction on this geometry: it does not say how the surfaces slide "
         "(ContactGeometry::calc_slip)",
         owner));
+  find_parameters(owner);
   penetration_scale_ = std::numeric_limits<double>::infinity();
   for (ContactLaw& each : laws_) {
     penetration_scale_ = std::min(penetration_scale_, each.elastic.penetration_at(reference_force));
@@ -86,6 +87,45 @@ ContactElement::ContactElement(std::string name, BodyId a, BodyId b,
     else
       each.elastic = Continued{each.elastic};
   }
+}
+
+/// Regions with the same law share its parameters.
+void ContactElement::find_parameters(const std::string& owner) {
+  int count = 0;
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const auto same = std::ranges::find_if(
+        laws_, [&](const ContactLaw& earlier) { return earlier.is_same(laws_[i]); });
+    const auto first = static_cast<std::size_t>(same - laws_.begin());
+    const std::size_t own = laws_[i].parameters().size();
+    if (first < i || own == 0) {
+      first_parameter_.push_back(first < i ? first_parameter_[first] : -1);
+      continue;
+    }
+    if (laws_[i].elastic.fields() > 0 && std::isfinite(laws_[i].penetration_limit()))
+      throw ModelError(
+          fmt::format("{}: the law '{}' ends at {:g} m; its stiffness cannot be changeable", owner,
+                      laws_[i].name(), laws_[i].penetration_limit()));
+    first_parameter_.push_back(count);
+    count += static_cast<int>(own);
+  }
+}
+
+std::vector<Parameter> ContactElement::parameters() const {
+  std::vector<Parameter> all;
+  const int last = *std::ranges::max_element(first_parameter_);
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    if (first_parameter_[i] != static_cast<int>(all.size())) continue;
+    for (Parameter p : laws_[i].parameters()) {
+      if (last > 0) p.name = region_names_[i] + "." + p.name;
+      all.push_back(std::move(p));
+    }
+  }
+  return all;
+}
+
+void ContactElement::check_parameters(const double* values) const {
+  for (std::size_t i = 0; i < laws_.size(); ++i)
+    if (first_parameter_[i] >= 0) laws_[i].check(values + first_parameter_[i]);
 }
 
 double touch_tolerance(double length, double penetration, double rounding) {
@@ -124,7 +164,8 @@ double ContactElement::rate(const ContactKinematics& k, const Motion& motion) co
 ContactOutput ContactElement::calc_law(const ForceInput& in, const ContactMemory& memory) const {
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
-  const LocalLaw here(law(memory.region), k.curvature);
+  const BoundLaw now = law(memory.region, in);
+  const LocalLaw here(*now, k.curvature);
   return here.evaluate({k.penetration, rate(k, in.motion), memory});
 }
 
@@ -151,7 +192,7 @@ void ContactElement::evaluate_normal(const ForceInput& in, const ForceRequest& o
   const ContactRow& g = k.gradient;
   const ContactRow v = velocity(in.motion);
   const double d_rate = dot(g, v);
-  const ContactOutput f = law(memory.region).evaluate({k.penetration, d_rate, memory});
+  const ContactOutput f = law(memory.region, in)->evaluate({k.penetration, d_rate, memory});
 
   if (out.energy != nullptr) {
     out.energy->stored = f.stored_energy;
@@ -186,7 +227,8 @@ void ContactElement::evaluate_following(const ForceInput& in, const ForceRequest
   ContactKinematics k;
   CurvatureKinematics c;
   geometry_->calc_kinematics(in.motion, memory.region, want_jacobian, k, c);
-  const LocalLaw here(law(memory.region), k.curvature);
+  const BoundLaw now = law(memory.region, in);
+  const LocalLaw here(*now, k.curvature);
   const ContactRow& g = k.gradient;
   const ContactRow v = velocity(in.motion);
   const double d_rate = dot(g, v);
@@ -245,7 +287,8 @@ void ContactElement::calc_channels(const ForceInput& in, double* values) const {
   const ContactPlace place = geometry_->calc_place(in.motion, region);
   values[0] = k.penetration;
   values[1] = d_rate;
-  const LocalLaw here(law(region), k.curvature);
+  const BoundLaw now = law(region, in);
+  const LocalLaw here(*now, k.curvature);
   values[2] = apart ? 0.0 : here.evaluate({k.penetration, d_rate, memory}).force;
   values[3] = apart ? 0.0 : 1.0 + region;
   values[4] = place.point.x();

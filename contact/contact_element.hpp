@@ -45,7 +45,7 @@
 //   fullest      lifted (below), where the law's force is largest over d: no transition, but a
 //                force that appeared and vanished within one step is detected.
 //   grip         where friction that holds reaches its limit, or sliding ends. What becomes of it is
-//                settled for all contacts together (core/equations/grips.hpp).
+//                settled for all contacts together (core/equations/grips/grips.hpp).
 //   failure      at 99 % of the largest penetration for which the elastic law is valid. Within the
 //                step that meets it, the law is continued along its tangent.
 // Two kinds of "apart" have a memory; memory.release_penetration distinguishes them:
@@ -83,6 +83,8 @@
 
 namespace yoke {
 
+struct Sliding;  // core/equations/grips/grip_rules.hpp
+
 /// [m] The band around zero within which a penetration is not told from rounding: the geometric
 /// mean of the rounding of lengths and of a penetration, so as far above the one as below the other
 /// (1e-11 m for a pin that bears 100 N at 4 um in a mechanism of 0.1 m). `length` [m] is the model's
@@ -108,6 +110,11 @@ class ContactElement final : public ForceElement {
   void calc_hold(const ForceInput& in, const ConstraintRequest& out) const override;
   double holding_force(const ForceInput& in) const override;
   void grip_changed(Grip before, EventContext& context) const override;
+
+  /// Those of its laws (changeable()), as "pin.restitution"; where regions have several such laws, after
+  /// the region: "pin.outer.restitution".
+  std::vector<Parameter> parameters() const override;
+  void check_parameters(const double* values) const override;
 
   int contacts() const override { return 1; }
   /// In contact if the start pose penetrates, or touches and approaches; an onset is recorded then.
@@ -152,10 +159,6 @@ class ContactElement final : public ForceElement {
     std::array<double, ContactKinematics::columns> gradient;
   };
 
-  struct Sliding {
-    double value, slowest;  // [m/s] the least that is told from rest
-  };
-
   /// The normal force, and its derivatives by the coordinates and velocities of both bodies.
   struct Pressure {
     double force = 0.0;
@@ -176,7 +179,6 @@ class ContactElement final : public ForceElement {
   bool slides(const ContactMemory& memory) const;
   bool holds(int region) const { return law(region).friction.holds(); }
   Sliding sliding_velocity(const ForceInput& in) const;
-  double calc_grip_event(const ForceInput& in) const;
   void handle_grip(EventContext& context) const;
   void take_grip(EventContext& context) const;
   void note_wedging(EventContext& context) const;
@@ -185,6 +187,12 @@ class ContactElement final : public ForceElement {
   void pass_bristles_on(EventContext& context, int from, int to) const;
   double friction_energy(const EventContext& context, int region) const;
   const ContactLaw& law(int region) const { return laws_[static_cast<std::size_t>(region)]; }
+  /// The law with the numbers it has now.
+  BoundLaw law(int region, const ForceInput& in) const {
+    const int first = first_parameter_[static_cast<std::size_t>(region)];
+    return {law(region), first < 0 ? nullptr : in.parameters + first};
+  }
+  void find_parameters(const std::string& owner);
   double limit_of(int region) const { return limits_[static_cast<std::size_t>(region)]; }
   std::array<double, ContactKinematics::columns> velocity(const Motion& motion) const;
   double rate(const ContactKinematics& k, const Motion& motion) const;
@@ -208,11 +216,11 @@ class ContactElement final : public ForceElement {
   void handle_region_end(EventContext& context) const;
   void handle_kink(EventContext& context) const;
   void assume_approach(EventContext& context, const Approach& now) const;
-  void note_side_of_kink(ContactMemory& memory, const Approach& now) const;
+  void note_side_of_kink(EventContext& context, const Approach& now) const;
   void come_through(EventContext& context, int region, const Approach& now) const;
   void begin(EventContext& context, int region, const Approach& now) const;
-  bool works_without_mass(const ContactMemory& memory, const Approach& now) const;
-  void end_compression(ContactMemory& memory, double penetration) const;
+  bool works_without_mass(const EventContext& context, const Approach& now) const;
+  void end_compression(EventContext& context, double penetration) const;
   void check_limit(EventContext& context, int region, double penetration) const;
   void record(EventContext& context, const char* kind, int region, const Approach& now) const;
 
@@ -221,6 +229,7 @@ class ContactElement final : public ForceElement {
   std::vector<ContactLaw> laws_;  // continued beyond their limits
   std::vector<double> limits_;    // [m] where they end, infinite if they do not
   std::vector<std::string> region_names_;
+  std::vector<int> first_parameter_;  // of each region's law, -1: it has none
   double penetration_scale_ = 0.0;
   double reference_force_;  // [N]
   bool has_friction_ = false, has_bristles_ = false, may_hold_ = false;

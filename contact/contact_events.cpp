@@ -58,7 +58,8 @@ void ContactElement::calc_events_lifted(const ForceInput& in, double* g) const {
   const ContactMemory& memory = *in.contact;
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
-  const LocalLaw here(law(memory.region), k.curvature);
+  const BoundLaw now = law(memory.region, in);
+  const LocalLaw here(*now, k.curvature);
   const double d = k.penetration, d_rate = rate(k, in.motion);
   g[kink] = calc_kink(in, d, d_rate);
   // One step may reach far below the end of the contact, where the law means nothing.
@@ -69,9 +70,9 @@ void ContactElement::calc_events_lifted(const ForceInput& in, double* g) const {
 /// [m] positive where the contact has passed the corner of its law.
 double ContactElement::calc_kink(const ForceInput& in, double d, double d_rate) const {
   const ContactMemory& memory = *in.contact;
-  const ContactLaw& here = law(memory.region);
-  if (!here.dissipation.has_kink()) return -1.0;
-  const double side = here.dissipation.kink({d, d_rate, memory}, here.elastic);
+  if (!law(memory.region).dissipation.has_kink()) return -1.0;
+  const BoundLaw here = law(memory.region, in);
+  const double side = here->dissipation.kink({d, d_rate, memory}, here->elastic);
   return (memory.past_kink ? -side : side) - touch(in);
 }
 
@@ -80,7 +81,7 @@ double ContactElement::calc_kink(const ForceInput& in, double d, double d_rate) 
 double ContactElement::calc_regain(const ForceInput& in, double penetration) const {
   const ContactMemory& memory = *in.contact;
   if (!(penetration > memory.permanent_set)) return -reference_force_;
-  const double stiffness = law(memory.region).elastic.response(penetration).stiffness;
+  const double stiffness = law(memory.region, in)->elastic.response(penetration).stiffness;
   return calc_law(in, memory).force - stiffness * touch(in);
 }
 
@@ -88,7 +89,8 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
   const ContactMemory& memory = *in.contact;
   ContactKinematics k;
   geometry_->calc_kinematics(in.motion, memory.region, false, k);
-  const LocalLaw here(law(memory.region), k.curvature);
+  const BoundLaw now = law(memory.region, in);
+  const LocalLaw here(*now, k.curvature);
   const double d = k.penetration, d_rate = rate(k, in.motion);
 
   g[release] = memory.permanent_set - d;
@@ -102,7 +104,7 @@ void ContactElement::calc_events_in_contact(const ForceInput& in, double* g) con
       g[reload] = d - (memory.largest_penetration + touch(in));
   }
   g[region_end] = geometry_->boundary(in.motion, memory.region) - touch(in);
-  if (may_hold_) g[grip] = calc_grip_event(in);
+  if (may_hold_) g[grip] = calc_grip_event(*this, in, [&] { return sliding_velocity(in); });
   if (std::isfinite(limit_of(memory.region)))
     g[limit] = d - usable_share_of_limit * limit_of(memory.region);
 }

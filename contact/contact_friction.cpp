@@ -21,23 +21,21 @@ std::vector<Channel> ContactElement::states() const {
 
 FrictionOutput ContactElement::calc_friction(const ForceInput& in, double normal_force,
                                              double sliding) const {
-  return law(in.contact->region)
-      .friction.evaluate({.normal_force = std::max(normal_force, 0.0),
-                          .sliding = sliding,
-                          .state = has_bristles_ ? in.z[0] : 0.0,
-                          .direction = in.contact->grip == Grip::forward    ? 1.0
-                                       : in.contact->grip == Grip::backward ? -1.0
-                                                                            : 0.0,
-                          .reference_force = reference_force_});
+  return law(in.contact->region, in)
+      ->friction.evaluate({.normal_force = std::max(normal_force, 0.0),
+                           .sliding = sliding,
+                           .state = has_bristles_ ? in.z[0] : 0.0,
+                           .direction = direction_of(in.contact->grip),
+                           .reference_force = reference_force_});
 }
 
 /// In contact, with friction that is a force now.
 bool ContactElement::slides(const ContactMemory& memory) const {
   if (memory.phase == ContactPhase::apart || law(memory.region).friction.none()) return false;
-  return !holds(memory.region) || memory.grip == Grip::forward || memory.grip == Grip::backward;
+  return !holds(memory.region) || direction_of(memory.grip) != 0.0;
 }
 
-ContactElement::Sliding ContactElement::sliding_velocity(const ForceInput& in) const {
+Sliding ContactElement::sliding_velocity(const ForceInput& in) const {
   SlipKinematics k;
   geometry_->calc_slip(in.motion, in.contact->region, false, k);
   const ContactRow v = velocity(in.motion);
@@ -67,43 +65,20 @@ void ContactElement::calc_hold(const ForceInput& in, const ConstraintRequest& ou
 
 double ContactElement::holding_force(const ForceInput& in) const {
   const double pressure = std::max(calc_law(in, *in.contact).force, 0.0);
-  return law(in.contact->region).friction.holding_force(pressure);
-}
-
-/// [N] or [m/s] positive where the hold has broken, or sliding has come back through zero: by a margin,
-/// so that a sliding that begins is seen to go the wrong way.
-double ContactElement::calc_grip_event(const ForceInput& in) const {
-  const Grip g = in.contact->grip;
-  if (g == Grip::held || g == Grip::carried)
-    return in.hold != nullptr ? std::abs(*in.hold) - holding_force(in) : -1.0;
-  if (g == Grip::none || g == Grip::undecided) return -1.0;
-  const auto [value, slowest] = sliding_velocity(in);
-  if (g == Grip::guided) return std::abs(value) - slowest;
-  return (g == Grip::forward ? -value : value) - slowest;
+  return law(in.contact->region, in)->friction.holding_force(pressure);
 }
 
 void ContactElement::handle_grip(EventContext& context) const {
-  ContactMemory& memory = *context.contact;
-  if (!rests(memory.grip)) {
-    memory.grip = Grip::undecided;
-    return;
-  }
-  const double way = memory.grip == Grip::guided     ? sliding_velocity(context.input).value
-                     : context.input.hold != nullptr ? *context.input.hold
-                                                     : 0.0;
-  memory.grip = way < 0.0 ? Grip::backward : Grip::forward;
+  context.contact->grip =
+      grip_after_event(context.input, [&] { return sliding_velocity(context.input); });
 }
 
 /// At an onset, or where the contact has come to another law.
 void ContactElement::take_grip(EventContext& context) const {
   ContactMemory& memory = *context.contact;
-  if (!holds(memory.region)) {
-    memory.grip = Grip::none;
-    return;
-  }
-  const double speed = sliding_velocity(context.input).value;
-  const bool at_rest = rests(memory.grip) || speed == 0.0;
-  memory.grip = at_rest ? Grip::undecided : speed > 0.0 ? Grip::forward : Grip::backward;
+  memory.grip = holds(memory.region)
+                    ? grip_at_onset(memory.grip, sliding_velocity(context.input).speed)
+                    : Grip::none;
 }
 
 /// Sliding whose friction presses the surfaces together more than the normal force holds them apart: as
@@ -116,7 +91,7 @@ void ContactElement::note_wedging(EventContext& context) const {
   SlipKinematics s;
   geometry_->calc_kinematics(context.input.motion, region, false, k);
   geometry_->calc_slip(context.input.motion, region, false, s);
-  const double sliding = sliding_velocity(context.input).value;
+  const double sliding = sliding_velocity(context.input).speed;
   const double mu = calc_friction(context.input, reference_force_, sliding).dforce_dnormal;
   ContactRow sum = k.gradient, difference = k.gradient;
   for (std::size_t i = 0; i < columns; ++i) sum[i] += s.row[i], difference[i] -= s.row[i];
@@ -185,9 +160,9 @@ void ContactElement::add_friction(const ForceInput& in, const ForceRequest& out,
 
 /// [J] stored in the bristles under the law of a region.
 double ContactElement::friction_energy(const EventContext& context, int region) const {
-  const FrictionLaw& friction = law(region).friction;
-  if (!friction.has_state()) return 0.0;
-  return friction.evaluate({.state = context.z[0], .reference_force = reference_force_})
+  if (!law(region).friction.has_state()) return 0.0;
+  return law(region, context.input)
+      ->friction.evaluate({.state = context.z[0], .reference_force = reference_force_})
       .stored_energy;
 }
 

@@ -178,33 +178,35 @@ void ContactElement::begin(EventContext& context, int region, const Approach& no
   memory.effective_mass = context.effective_mass(now.gradient.data());
   take_grip(context);
   if (has_friction_ && !may_hold_) note_wedging(context);
-  if (context.fail && !std::isfinite(memory.effective_mass) && !works_without_mass(memory, now))
+  if (context.fail && !std::isfinite(memory.effective_mass) && !works_without_mass(context, now))
     context.fail(fmt::format(
         "{}: the law '{}' damps with the effective mass of the contact, but at t = {:.9g} s drivers "
         "and joints leave its bodies no motion of their own towards each other: there is none; "
         "take a law that needs no mass",
         region_names_[static_cast<std::size_t>(region)], law(region).name(), memory.onset_time));
-  note_side_of_kink(memory, now);
+  note_side_of_kink(context, now);
   if (now.rate <= 0.0 && law(region).dissipation.needs_largest_penetration())
-    end_compression(memory, now.penetration);
+    end_compression(context, now.penetration);
 }
 
-bool ContactElement::works_without_mass(const ContactMemory& memory, const Approach& now) const {
+bool ContactElement::works_without_mass(const EventContext& context, const Approach& now) const {
+  const ContactMemory& memory = *context.contact;
   const double reference = penetration_scale_;
   const double rate = std::max(now.rate, memory.approach_velocity);
-  return std::isfinite(law(memory.region).evaluate({reference, rate, memory}).force);
+  return std::isfinite(
+      law(memory.region, context.input)->evaluate({reference, rate, memory}).force);
 }
 
 /// A contact that is found within the wall: the impact that would have led there is assumed before
 /// it, or laws that divide by the approach velocity would damp it like glue.
 void ContactElement::assume_approach(EventContext& context, const Approach& now) const {
   ContactMemory& memory = *context.contact;
-  const ContactLaw& here = law(memory.region);
   if (now.penetration >= limit_of(memory.region)) return;
-  const LocalLaw local(here, now.curvature);
+  const BoundLaw here = law(memory.region, context.input);
+  const LocalLaw local(*here, now.curvature);
   memory.approach_velocity =
-      approach_velocity_to({local.elastic(), here.dissipation}, memory, now.penetration, now.rate);
-  note_side_of_kink(memory, now);
+      approach_velocity_to({local.elastic(), here->dissipation}, memory, now.penetration, now.rate);
+  note_side_of_kink(context, now);
   // Of no interest where the law does not ask for it.
   ContactMemory faster = memory;
   faster.approach_velocity *= 2.0;
@@ -217,17 +219,20 @@ void ContactElement::assume_approach(EventContext& context, const Approach& now)
         now.penetration, now.rate, memory.approach_velocity));
 }
 
-void ContactElement::note_side_of_kink(ContactMemory& memory, const Approach& now) const {
-  const ContactLaw& here = law(memory.region);
-  memory.past_kink = here.dissipation.has_kink() &&
-                     here.dissipation.kink({now.penetration, now.rate, memory}, here.elastic) > 0.0;
+void ContactElement::note_side_of_kink(EventContext& context, const Approach& now) const {
+  ContactMemory& memory = *context.contact;
+  const BoundLaw here = law(memory.region, context.input);
+  memory.past_kink =
+      here->dissipation.has_kink() &&
+      here->dissipation.kink({now.penetration, now.rate, memory}, here->elastic) > 0.0;
 }
 
-void ContactElement::end_compression(ContactMemory& memory, double penetration) const {
-  const ContactLaw& here = law(memory.region);
+void ContactElement::end_compression(EventContext& context, double penetration) const {
+  ContactMemory& memory = *context.contact;
+  const BoundLaw here = law(memory.region, context.input);
   memory.phase = ContactPhase::restituting;
   memory.largest_penetration = penetration;
-  memory.permanent_set = here.dissipation.permanent_set(memory, here.elastic);
+  memory.permanent_set = here->dissipation.permanent_set(memory, here->elastic);
 }
 
 void ContactElement::handle_release(EventContext& context, bool pulled_off) const {
@@ -251,7 +256,7 @@ void ContactElement::handle_release(EventContext& context, bool pulled_off) cons
 void ContactElement::handle_turn(EventContext& context) const {
   ContactMemory& memory = *context.contact;
   const Approach now = calc_approach(context, memory.region);
-  end_compression(memory, now.penetration);
+  end_compression(context, now.penetration);
   record(context, "turn", memory.region, now);
 }
 
@@ -262,7 +267,7 @@ void ContactElement::handle_reload(EventContext& context) const {
     memory.phase = ContactPhase::compressing;
     record(context, "reload", memory.region, now);
   } else {
-    end_compression(memory, now.penetration);  // creeps past by the margin: the end moves along
+    end_compression(context, now.penetration);  // creeps past by the margin: the end moves along
   }
 }
 
@@ -287,7 +292,7 @@ void ContactElement::handle_region_end(EventContext& context) const {
   memory.region = geometry_->successor(context.input.motion, memory.region);
   const Approach now = calc_approach(context, memory.region);
   record(context, "region", memory.region, now);
-  note_side_of_kink(memory, now);
+  note_side_of_kink(context, now);
   if (memory.phase == ContactPhase::apart) return;
 
   // The law may be another one: bring the memory to what it expects.
@@ -296,9 +301,9 @@ void ContactElement::handle_region_end(EventContext& context) const {
     memory.phase = ContactPhase::compressing;
     memory.largest_penetration = memory.permanent_set = 0.0;
   } else if (memory.phase == ContactPhase::restituting) {
-    end_compression(memory, memory.largest_penetration);
+    end_compression(context, memory.largest_penetration);
   } else if (now.rate < 0.0) {
-    end_compression(memory, now.penetration);
+    end_compression(context, now.penetration);
   }
   pass_bristles_on(context, before, memory.region);
   if (may_hold_) take_grip(context);

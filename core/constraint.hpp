@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <yoke/core/motion.hpp>
+#include <yoke/core/parameter.hpp>
 
 namespace yoke {
 
@@ -36,13 +37,14 @@ struct Equation {
 /// The blocks that evaluate() computes; null pointers are skipped. All blocks are row-major. G and
 /// H keep the zeros outside the declared pattern; K is zero on entry.
 struct ConstraintRequest {
-  double* phi = nullptr;           // [rows]
-  double* G = nullptr;             // [rows x 3k]
-  double* phi_t = nullptr;         // [rows] partial derivative by time
-  double* gamma = nullptr;         // [rows]
-  double* H = nullptr;             // [rows x 3k]
-  double* K = nullptr;             // [3k x 3k] for the multipliers `lambda`
-  const double* lambda = nullptr;  // [rows], given if K is requested
+  double* phi = nullptr;               // [rows]
+  double* G = nullptr;                 // [rows x 3k]
+  double* phi_t = nullptr;             // [rows] partial derivative by time
+  double* gamma = nullptr;             // [rows]
+  double* H = nullptr;                 // [rows x 3k]
+  double* K = nullptr;                 // [3k x 3k] for the multipliers `lambda`
+  const double* lambda = nullptr;      // [rows], given if K is requested
+  const double* parameters = nullptr;  // [parameters().size()], given
 };
 
 /// Base of every joint. Immutable once built, so threads may share it.
@@ -78,6 +80,12 @@ class Constraint {
 
   /// True if Phi depends on time, so that the joint does work on the mechanism (a driver).
   virtual bool rheonomic() const { return false; }
+
+  /// Changeable parameters, ConstraintRequest::parameters.
+  virtual std::vector<Parameter> parameters() const { return {}; }
+  /// Writes its parameters `own` in the form they have at time t [s], of the same motion: what reads or
+  /// sets them then finds the present speed, and a change moves no body. Phi_t may change: a blow.
+  virtual void update_parameters(double /*t*/, double* /*own*/) const {}
 
   /// What it looks like (core/drawing/drawing.hpp); by default nothing is drawn.
   virtual void draw(Drawing&) const {}

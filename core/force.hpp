@@ -3,7 +3,8 @@
 //
 // Interface of force elements: springs, loads, contacts. An element computes the generalised force
 // on its own bodies, its derivatives and its energy. It may own states z with z' = f(q, v, z, t),
-// changeable parameters, a contact memory and events.
+// changeable parameters, a contact memory and events. It may depend on the reaction of one joint: the
+// equations of motion are then solved for both together.
 #pragma once
 
 #include <functional>
@@ -16,22 +17,12 @@
 #include <yoke/core/constraint.hpp>
 #include <yoke/core/contact_memory.hpp>
 #include <yoke/core/motion.hpp>
+#include <yoke/core/parameter.hpp>
 
 namespace yoke {
 
 class Drawing;
 class Model;
-
-/// A number that may be changed from run to run without building the model again. It lives in the
-/// State under "element.name".
-struct Parameter {
-  std::string name;                                       // as "stiffness"
-  std::string unit;                                       // as "N/m"
-  double value = 0.0;                                     // default, in the unit
-  double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
-  double high = std::numeric_limits<double>::infinity();  ///< greatest value accepted
-  bool load = false;  // a force that depends on no motion and stores no energy
-};
 
 /// A quantity an element reports at every output sample. `labels` not empty: the value is an index
 /// into it and is written as text.
@@ -72,20 +63,23 @@ struct ForceInput {
   Scales scales{};                         // of the model: what is small beside them
   double rounding = 0.0;                   // [m] of the model's coordinates, a few last places
   const double* hold = nullptr;  // [N] what an element that may hold holds now; null if not known
+  const double* multipliers = nullptr;  // [rows] of the joint loaded_by(); null if not known
 };
 
 /// The blocks that evaluate() computes; null pointers are skipped. Blocks are row-major and zero on
 /// entry.
 struct ForceRequest {
-  double* Q = nullptr;       // [3k] generalised force: N, N, N m about the centre of each body
-  double* dQ_dq = nullptr;   // [3k x 3k]
-  double* dQ_dv = nullptr;   // [3k x 3k]
-  double* dQ_dz = nullptr;   // [3k x nz]
-  double* z_dot = nullptr;   // [nz]
-  double* dz_dq = nullptr;   // [nz x 3k]
-  double* dz_dv = nullptr;   // [nz x 3k]
-  double* dz_dz = nullptr;   // [nz x nz]
-  Energy* energy = nullptr;  // of the element
+  double* Q = nullptr;           // [3k] generalised force: N, N, N m about the centre of each body
+  double* dQ_dq = nullptr;       // [3k x 3k]
+  double* dQ_dv = nullptr;       // [3k x 3k]
+  double* dQ_dz = nullptr;       // [3k x nz]
+  double* z_dot = nullptr;       // [nz]
+  double* dz_dq = nullptr;       // [nz x 3k]
+  double* dz_dv = nullptr;       // [nz x 3k]
+  double* dz_dz = nullptr;       // [nz x nz]
+  double* dQ_dlambda = nullptr;  // [3k x rows] by the multipliers of loaded_by()
+  double* dz_dlambda = nullptr;  // [nz x rows]
+  Energy* energy = nullptr;      // of the element
 };
 
 /// What happened at a located event, as it is written to events.csv.
@@ -153,6 +147,11 @@ class ForceElement {
   /// Fills the requested blocks. Called in the innermost loop: must not allocate or throw.
   virtual void evaluate(const ForceInput& in, const ForceRequest& out) const = 0;
 
+  /// The joint of the same model whose multipliers the force depends on, friction from a reaction say;
+  /// null: none. Solved for, not lagged (core/equations/loaded_forces.hpp). Where an analysis knows no
+  /// reactions, ForceInput::multipliers is null: then the force is the one without load.
+  virtual const Constraint* loaded_by() const { return nullptr; }
+
   virtual bool dissipates() const { return false; }  ///< keeps a quadrature of dissipated_power
   virtual bool supplies() const { return false; }    ///< keeps a quadrature of supplied_power
 
@@ -161,6 +160,9 @@ class ForceElement {
   virtual void initial_states(double* /*z*/) const {}
   /// What may be changed from run to run, with defaults and ranges.
   virtual std::vector<Parameter> parameters() const { return {}; }
+  /// Throws ModelError where values within their ranges do not go together, or the ranges are only known
+  /// to something else.
+  virtual void check_parameters(const double* /*values*/) const {}
 
   virtual int contacts() const { return 0; }  ///< how many ContactMemory it owns
   /// Sets the contact memory of a state at which a run starts (touching or not).
@@ -196,7 +198,7 @@ class ForceElement {
   /// equations of motion have a row s v + s_t = 0 for it, of velocity level, with a multiplier T of its
   /// own: the element feels -s^T T. evaluate() gives no friction then. The element sets a grip to
   /// `undecided` where sliding ends, to `forward` or `backward` where a hold breaks; which grips hold is
-  /// settled for all together (core/equations/grips.hpp).
+  /// settled for all together (core/equations/grips/grips.hpp).
   virtual bool may_hold() const { return false; }
   /// G = s [1 x 3k], phi_t = s_t, gamma = -(ds/dt) v, H = d(s v)/dq, K = d(s^T lambda)/dq.
   virtual void calc_hold(const ForceInput&, const ConstraintRequest&) const {}

@@ -20,6 +20,8 @@
 #include <string>
 #include <utility>
 
+#include <yoke/core/law_parameters.hpp>
+
 namespace yoke {
 
 /// What a friction law sees.
@@ -71,7 +73,9 @@ class FrictionLaw {
   /// No friction.
   bool none() const { return !function_; }
   /// Only if not none().
-  FrictionOutput evaluate(const FrictionInput& in) const { return function_->evaluate(in); }
+  FrictionOutput evaluate(const FrictionInput& in) const {
+    return function_->evaluate(in, values_);
+  }
   /// Whether it has a z.
   bool has_state() const { return function_ && function_->has_state(); }
   /// Only if has_state().
@@ -81,18 +85,39 @@ class FrictionLaw {
   /// At rest it is a constraint.
   bool holds() const { return function_ && function_->holds(); }
   /// Only if holds().
-  double holding_force(double normal_force) const { return function_->holding_force(normal_force); }
+  double holding_force(double normal_force) const {
+    return function_->holding_force(normal_force, values_);
+  }
+  /// Changeable numbers, see core/law_parameters.hpp.
+  std::vector<Parameter> parameters() const {
+    return function_ ? function_->parameters() : std::vector<Parameter>();
+  }
+  /// Throws ModelError.
+  void check(const double* values) const {
+    if (function_) function_->check(values);
+  }
+  /// The law with these numbers, while `this` and they exist; costs no allocation.
+  FrictionLaw bound(const double* values) const {
+    FrictionLaw law;
+    law.function_ = std::shared_ptr<const Function>(std::shared_ptr<void>(), function_.get());
+    law.values_ = values;
+    return law;
+  }
+  /// Whether it is a copy of that one.
+  bool is_same(const FrictionLaw& other) const { return function_ == other.function_; }
   /// As the law calls itself; "none".
   std::string name() const { return function_ ? function_->name() : "none"; }
 
  private:
   struct Function {
     virtual ~Function() = default;
-    virtual FrictionOutput evaluate(const FrictionInput&) const = 0;
+    virtual FrictionOutput evaluate(const FrictionInput&, const double* values) const = 0;
     virtual bool has_state() const = 0;
     virtual double state_scale(double reference_force) const = 0;
     virtual bool holds() const = 0;
-    virtual double holding_force(double normal_force) const = 0;
+    virtual double holding_force(double normal_force, const double* values) const = 0;
+    virtual std::vector<Parameter> parameters() const = 0;
+    virtual void check(const double* values) const = 0;
     virtual std::string name() const = 0;
   };
 
@@ -101,7 +126,9 @@ class FrictionLaw {
     explicit Holder(F given) : law(std::move(given)) {
       if constexpr (requires { law.check(); }) law.check();
     }
-    FrictionOutput evaluate(const FrictionInput& in) const override { return law(in); }
+    FrictionOutput evaluate(const FrictionInput& in, const double* values) const override {
+      return use_law(law, values, [&](const auto& now) -> FrictionOutput { return now(in); });
+    }
     bool has_state() const override { return stateful; }
     double state_scale(double reference_force) const override {
       if constexpr (stateful)
@@ -110,9 +137,12 @@ class FrictionLaw {
         return 0.0 * reference_force;
     }
     bool holds() const override { return holding; }
-    double holding_force(double normal_force) const override {
+    std::vector<Parameter> parameters() const override { return parameters_of_law(law); }
+    void check(const double* values) const override { check_law(law, values); }
+    double holding_force(double normal_force, const double* values) const override {
       if constexpr (holding)
-        return law.holding_force(normal_force);
+        return use_law(law, values,
+                       [&](const auto& now) -> double { return now.holding_force(normal_force); });
       else
         return 0.0 * normal_force;
     }
@@ -132,6 +162,7 @@ class FrictionLaw {
   };
 
   std::shared_ptr<const Function> function_;
+  const double* values_ = nullptr;  // of changeable numbers
 };
 
 }  // namespace yoke

@@ -65,6 +65,19 @@ void require_accepted(const std::string& owner, std::string_view name, const Par
                                in_unit(value, p.unit), accepted));
 }
 
+void require_accepted(const std::string& element, const std::vector<Parameter>& parameters) {
+  for (const Parameter& p : parameters)
+    require_accepted(fmt::format("'{}'", element), p.name, p, p.value);
+}
+
+void check_together(const ForceElement& element, const double* values) {
+  try {
+    element.check_parameters(values);
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("'{}': {}", element.name(), error.what()));
+  }
+}
+
 void check_finite(const std::string& owner, const Body& body) {
   require_finite(owner, "pose x", body.pose.position.x());
   require_finite(owner, "pose y", body.pose.position.y());
@@ -141,18 +154,30 @@ void Model::insert(Elements elements) {
   for (auto& force : elements.forces) insert(std::move(force));
 }
 
+/// Its parameters, those it has, after the others.
+std::size_t Model::add_parameters(const std::string& element, std::vector<Parameter> parameters,
+                                  bool of_constraint) {
+  const std::size_t first = parameters_.size();
+  for (Parameter& p : parameters) parameters_.push_back({std::move(p), element, of_constraint});
+  return first;
+}
+
 void Model::insert(std::unique_ptr<Constraint> constraint) {
   if (std::ranges::all_of(constraint->bodies(), [](BodyId id) { return id == ground; }))
     throw ModelError(
         fmt::format("joint '{}': at least one of its bodies must move", constraint->name()));
+  const std::vector<Parameter> parameters = constraint->parameters();
+  require_accepted(constraint->name(), parameters);
   check_new_element(constraint->name(), constraint->bodies());
+  of_constraints_.push_back(add_parameters(constraint->name(), parameters, true));
   constraints_.push_back(std::move(constraint));
 }
 
 void Model::insert(std::unique_ptr<ForceElement> force) {
-  for (const Parameter& p : force->parameters())
-    require_accepted(fmt::format("'{}'", force->name()), p.name, p, p.value);
+  const std::vector<Parameter> parameters = force->parameters();
+  require_accepted(force->name(), parameters);
   check_new_element(force->name(), force->bodies(*this));
+  of_forces_.push_back(add_parameters(force->name(), parameters, false));
   forces_.push_back(std::move(force));
 }
 
@@ -162,6 +187,11 @@ Vec2 Model::to_local(BodyId id, const Vec2& global_point) const {
 
 Vec2 Model::direction_to_local(BodyId id, const Vec2& global_direction) const {
   return rotate(-body(id).pose.angle, global_direction);
+}
+
+void Model::update_parameters(double t, std::vector<double>& values) const {
+  for (std::size_t i = 0; i < constraints_.size(); ++i)
+    constraints_[i]->update_parameters(t, values.data() + of_constraints_[i]);
 }
 
 State Model::start_state() const {
@@ -186,8 +216,8 @@ State Model::start_state() const {
     quadratures += (f->dissipates() ? 1 : 0) + (f->supplies() ? 1 : 0);
     contacts += static_cast<std::size_t>(f->contacts());
     multipliers += f->may_hold() ? 1 : 0;
-    for (const Parameter& p : f->parameters()) state.parameters.push_back(p.value);
   }
+  for (const OwnedParameter& p : parameters_) state.parameters.push_back(p.parameter.value);
   state.lambda = Eigen::VectorXd::Zero(multipliers);
   state.energy = Eigen::VectorXd::Zero(quadratures);
   state.z = Eigen::VectorXd::Zero(states);
@@ -202,14 +232,11 @@ State Model::start_state() const {
 }
 
 std::optional<std::size_t> Model::parameter_index(std::string_view name) const {
-  std::size_t index = 0;
-  for (const auto& f : forces_) {
-    const bool owner =
-        name.starts_with(f->name()) && name.substr(f->name().size()).starts_with(".");
-    for (const Parameter& p : f->parameters()) {
-      if (owner && name.substr(f->name().size() + 1) == p.name) return index;
-      ++index;
-    }
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const std::string& owner = parameters_[i].element;
+    if (name.starts_with(owner) && name.substr(owner.size()).starts_with(".") &&
+        name.substr(owner.size() + 1) == parameters_[i].parameter.name)
+      return i;
   }
   return std::nullopt;
 }
@@ -220,34 +247,37 @@ std::size_t Model::find_parameter(std::string_view name) const {
 }
 
 Parameter Model::parameter(std::size_t index) const {
-  std::size_t i = index;
-  for (const auto& f : forces_)
-    for (const Parameter& p : f->parameters())
-      if (i-- == 0) return p;
-  throw ModelError(fmt::format("unknown parameter {}: the model has {}", index, index - i));
+  if (index < parameters_.size()) return parameters_[index].parameter;
+  throw ModelError(
+      fmt::format("unknown parameter {}: the model has {}", index, parameters_.size()));
 }
 
 std::string Model::unknown_parameter(std::string_view name) const {
   std::string known;
-  for (const auto& f : forces_)
-    for (const Parameter& p : f->parameters())
-      known += (known.empty() ? "'" : ", '") + f->name() + "." + p.name + "'";
+  for (const OwnedParameter& p : parameters_)
+    if (!p.parameter.own) known += (known.empty() ? "'" : ", '") + p.name() + "'";
   return fmt::format("unknown parameter '{}': the model has {}", name,
                      known.empty() ? "no changeable parameters" : known);
 }
 
 void Model::check_parameter(std::string_view owner, std::string_view name, double value) const {
-  std::size_t index = find_parameter(name);
-  for (const auto& f : forces_)
-    for (const Parameter& p : f->parameters())
-      if (index-- == 0) return require_accepted(std::string(owner), name, p, value);
+  require_accepted(std::string(owner), name, parameter(find_parameter(name)), value);
+}
+
+void Model::check_parameter(std::size_t index, double value) const {
+  const auto& [p, element, of_constraint] = parameters_.at(index);
+  require_accepted(fmt::format("'{}'", element), p.name, p, value);
+  if (p.own)
+    throw ModelError(
+        fmt::format("'{}': {} is kept by the element itself and cannot be set", element, p.name));
 }
 
 void Model::check_parameters(const std::vector<double>& values) const {
-  std::size_t index = 0;
-  for (const auto& f : forces_)
-    for (const Parameter& p : f->parameters())
-      require_accepted(fmt::format("'{}'", f->name()), p.name, p, values.at(index++));
+  for (std::size_t i = 0; i < parameters_.size(); ++i)
+    require_accepted(fmt::format("'{}'", parameters_[i].element), parameters_[i].parameter.name,
+                     parameters_[i].parameter, values.at(i));
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    check_together(*forces_[i], values.data() + of_forces_[i]);
 }
 
 }  // namespace yoke

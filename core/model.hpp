@@ -41,6 +41,14 @@ concept ElementDescription = requires(const D& d, const Model& m) {
   { d.elements(m) } -> std::convertible_to<Elements>;
 };
 
+/// A changeable parameter and the element it belongs to.
+struct OwnedParameter {
+  Parameter parameter;
+  std::string element;
+  bool of_constraint = false;  // of a driver: it changes a motion
+  std::string name() const { return element + "." + parameter.name; }
+};
+
 class Model {
  public:
   /// With the ground alone.
@@ -89,16 +97,26 @@ class Model {
   std::optional<std::size_t> parameter_index(std::string_view name) const;
   /// The parameter of this index. Throws ModelError.
   Parameter parameter(std::size_t index) const;
+  /// All of State::parameters, in the order in which their elements were added.
+  const std::vector<OwnedParameter>& parameters() const { return parameters_; }
+  /// Of constraint or force number i: the index of its first parameter.
+  std::size_t first_parameter_of_constraint(std::size_t i) const { return of_constraints_.at(i); }
+  std::size_t first_parameter_of_force(std::size_t i) const { return of_forces_.at(i); }
+  /// Writes `values`, a State::parameters, in the form they have at t [s], of the same motion.
+  void update_parameters(double t, std::vector<double>& values) const;
   /// For messages: that there is none of this name, and which there are.
   std::string unknown_parameter(std::string_view name) const;
   /// As parameter_index(). Throws ModelError that lists the parameters there are.
   std::size_t find_parameter(std::string_view name) const;
   /// Throws ModelError, in the name of `owner`, unless "element.parameter" may have this value.
   void check_parameter(std::string_view owner, std::string_view name, double value) const;
+  void check_parameter(std::size_t index, double value) const;
   /// The same for all of State::parameters.
   void check_parameters(const std::vector<double>& values) const;
 
  private:
+  std::size_t add_parameters(const std::string& element, std::vector<Parameter> parameters,
+                             bool of_constraint);
   void require_free(std::string_view what, const std::string& name) const;
   void check_new_element(const std::string& name, const std::vector<BodyId>& bodies);
 
@@ -107,6 +125,8 @@ class Model {
   std::unordered_set<std::string> element_names_;
   std::vector<std::unique_ptr<Constraint>> constraints_;
   std::vector<std::unique_ptr<ForceElement>> forces_;
+  std::vector<OwnedParameter> parameters_;
+  std::vector<std::size_t> of_constraints_, of_forces_;  // their first parameters
 };
 
 }  // namespace yoke

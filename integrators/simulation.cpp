@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/simulation.hpp>
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -57,6 +58,27 @@ std::unique_ptr<Simulation::Engine> Simulation::Engine::resume(const Model& mode
                                                                const SimulationOptions& options) {
   check_checkpoint(model, options, checkpoint);
   return std::make_unique<Engine>(model, checkpoint, options);
+}
+
+std::vector<std::uint8_t> to_bytes(const Snapshot& s) {
+  return nlohmann::json::to_cbor({{"state", nlohmann::json::binary(state_to_bytes(s.state))},
+                                  {"initial_energy", s.initial_energy},
+                                  {"formulation", s.formulation},
+                                  {"tolerance_kept", s.tolerance_kept},
+                                  {"left_out", s.left_out}});
+}
+
+Snapshot snapshot_from_bytes(std::span<const std::uint8_t> bytes) {
+  try {
+    const auto json = nlohmann::json::from_cbor(bytes.begin(), bytes.end());
+    return {.state = state_from_bytes(json.at("state").get_binary()),
+            .initial_energy = json.at("initial_energy"),
+            .formulation = json.at("formulation"),
+            .tolerance_kept = json.at("tolerance_kept"),
+            .left_out = json.at("left_out").get<std::vector<int>>()};
+  } catch (const nlohmann::json::exception& error) {
+    throw ModelError(fmt::format("these bytes are not a snapshot: {}", error.what()));
+  }
 }
 
 Simulation::Simulation(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}

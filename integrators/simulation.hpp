@@ -15,7 +15,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +33,13 @@ struct Snapshot {
   std::string formulation;      // by which the run goes on
   double tolerance_kept = 0.0;  // as in Summary
   std::vector<int> left_out;    // redundant equations
+  Eigen::VectorXd v_taken;  // as state.v was; where that has been changed, friction at rest lets go
 };
+
+/// A snapshot as bytes, every bit of it, and back: for files and other programs, of this version. Throws
+/// ModelError for other bytes.
+std::vector<std::uint8_t> to_bytes(const Snapshot& snapshot);
+Snapshot snapshot_from_bytes(std::span<const std::uint8_t> bytes);
 
 class Simulation {
  public:

@@ -2,9 +2,13 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/prismatic.hpp>
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include <yoke/core/drawing/drawing.hpp>
+#include <yoke/joints/friction/joint_friction.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/projection.hpp>
 
@@ -71,31 +75,73 @@ class PrismaticConstraint final : public Constraint {
   Geometry g_;
 };
 
+class GuideSurface final : public JointSurface {
+ public:
+  GuideSurface(const Prismatic& p, const Geometry& g, double length)
+      : a_(p.a), b_(p.b), t_a_(-perp(g.n_a)), s_b_(g.s_b), length_(length) {}
+
+  void calc_slip(const Motion& motion, double* row, double* slope) const override {
+    const Projection along(motion[a_], t_a_, motion[b_], s_b_);
+    along.write_G(row, 0, 3);
+    if (slope != nullptr) along.write_K(1.0, slope, 0, 3);
+  }
+  double calc_load(const double* lambda, double* slope) const override {
+    const double arm = 2.0 / length_;
+    const double by_force = std::abs(lambda[1]), by_moment = arm * std::abs(lambda[0]);
+    const bool tilts = by_moment > by_force;
+    if (slope != nullptr) {
+      slope[0] = tilts ? std::copysign(arm, lambda[0]) : 0.0;
+      slope[1] = tilts || lambda[1] == 0.0 ? 0.0 : std::copysign(1.0, lambda[1]);
+    }
+    return tilts ? by_moment : by_force;
+  }
+
+ private:
+  BodyId a_, b_;
+  Vec2 t_a_, s_b_;
+  double length_;  // [m]
+};
+
+Geometry geometry_of(const Prismatic& p, const Model& model) {
+  const std::string owner = element_name("prismatic", p.name);
+  require_different_bodies(owner, model, {{"a", p.a}, {"b", p.b}});
+  const Vec2 n = perp(unit_direction(owner, "along", p.along));
+  const Pose pose_a = model.body(p.a).pose, pose_b = model.body(p.b).pose;
+  const Vec2 point = p.at.value_or(p.b == ground ? pose_a.position : pose_b.position);
+  require_finite_vector(owner, "at", point);
+  return {.n_a = model.direction_to_local(p.a, n),
+          .s_b = model.to_local(p.b, point),
+          .offset = n.dot(point - pose_a.position),
+          .difference = pose_b.angle - pose_a.angle};
+}
+
 }  // namespace
 
 std::unique_ptr<Constraint> Prismatic::build(const Model& model) const {
-  const std::string owner = element_name("prismatic", name);
-  require_different_bodies(owner, model, {{"a", a}, {"b", b}});
-  const Vec2 n = perp(unit_direction(owner, "along", along));
-  const Pose pose_a = model.body(a).pose, pose_b = model.body(b).pose;
-  const Vec2 point = at.value_or(b == ground ? pose_a.position : pose_b.position);
-  require_finite_vector(owner, "at", point);
-  return std::make_unique<PrismaticConstraint>(*this,
-                                               Geometry{.n_a = model.direction_to_local(a, n),
-                                                        .s_b = model.to_local(b, point),
-                                                        .offset = n.dot(point - pose_a.position),
-                                                        .difference = pose_b.angle - pose_a.angle});
+  return std::make_unique<PrismaticConstraint>(*this, geometry_of(*this, model));
 }
 
 Elements Prismatic::elements(const Model& model) const {
   Elements made;
   std::unique_ptr<Constraint> ideal = build(model);  // its checks hold for both
+  require_ideal_for_friction(element_name("prismatic", name), friction.has_value(),
+                             clearance.has_value());
   if (clearance)
     return clearance->elements(model, {.name = name,
                                        .a = a,
                                        .b = b,
                                        .at = at.value_or(model.body(b).pose.position),
                                        .along = along.normalized()});
+  if (friction) {
+    if (!(friction->length > 0.0))
+      throw ModelError(fmt::format(
+          "friction of '{}': length = {:g} m of the block must be greater than 0, or infinite for one "
+          "whose moment presses nothing",
+          name, friction->length));
+    made.forces.push_back(joint_friction(
+        *ideal, {friction->law, friction->preload, friction->reference_force},
+        std::make_unique<GuideSurface>(*this, geometry_of(*this, model), friction->length)));
+  }
   made.constraints.push_back(std::move(ideal));
   return made;
 }

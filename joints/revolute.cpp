@@ -2,9 +2,11 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/joints/revolute.hpp>
 
+#include <cmath>
 #include <utility>
 
 #include <yoke/core/drawing/drawing.hpp>
+#include <yoke/joints/friction/joint_friction.hpp>
 #include <yoke/joints/rows/checks.hpp>
 #include <yoke/joints/rows/point_pair.hpp>
 
@@ -39,6 +41,23 @@ class RevoluteConstraint final : public Constraint {
   Vec2 s_a_, s_b_;  // [m] the pin in body axes
 };
 
+class PinSurface final : public JointSurface {
+ public:
+  explicit PinSurface(double radius) : radius_(radius) {}
+
+  void calc_slip(const Motion&, double* row, double*) const override {
+    row[2] = -radius_, row[5] = radius_;
+  }
+  double calc_load(const double* lambda, double* slope) const override {
+    const double load = std::hypot(lambda[0], lambda[1]);
+    for (int i = 0; slope != nullptr && i < 2; ++i) slope[i] = load > 0.0 ? lambda[i] / load : 0.0;
+    return load;
+  }
+
+ private:
+  double radius_;  // [m]
+};
+
 }  // namespace
 
 std::unique_ptr<Constraint> Revolute::build(const Model& model) const {
@@ -51,7 +70,15 @@ std::unique_ptr<Constraint> Revolute::build(const Model& model) const {
 Elements Revolute::elements(const Model& model) const {
   Elements made;
   std::unique_ptr<Constraint> ideal = build(model);  // its checks hold for both
+  require_ideal_for_friction(element_name("revolute", name), friction.has_value(),
+                             clearance.has_value());
   if (clearance) return clearance->elements(model, {.name = name, .a = a, .b = b, .at = at});
+  if (friction) {
+    require_positive("friction of '" + name + "'", "radius", friction->radius, "m");
+    made.forces.push_back(
+        joint_friction(*ideal, {friction->law, friction->preload, friction->reference_force},
+                       std::make_unique<PinSurface>(friction->radius)));
+  }
   made.constraints.push_back(std::move(ideal));
   return made;
 }

@@ -30,6 +30,7 @@ void add_inverse_dynamics_verb(CLI::App& app, Action& action);
 void add_equilibrium_verb(CLI::App& app, Action& action);
 void add_modes_verb(CLI::App& app, Action& action);
 void add_list_verb(CLI::App& app, Action& action);
+void add_fmu_verb(CLI::App& app, Action& action);
 void add_new_verb(CLI::App& app, Action& action);
 void add_completion_verb(CLI::App& app, Action& action);
 void add_man_verb(CLI::App& app, Action& action);

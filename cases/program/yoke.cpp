@@ -32,6 +32,7 @@ void add_verbs(CLI::App& app, Action& action) {
   add_law_verb(app, action);
   add_impact_verb(app, action);
   add_list_verb(app, action);
+  add_fmu_verb(app, action);
   add_new_verb(app, action);
   add_completion_verb(app, action);
   add_man_verb(app, action);

@@ -248,7 +248,7 @@ Json names_json(const Model& model) {
   for (const auto& c : model.constraints())
     (c->rheonomic() ? drivers : joints).push_back(c->name());
   for (const auto& f : model.forces())
-    if (f->contacts() > 0) contacts.push_back(f->name());
+    if (f->penetration_scale() > 0.0) contacts.push_back(f->name());
   return {{"drivers", std::move(drivers)},
           {"joints", std::move(joints)},
           {"contacts", std::move(contacts)}};

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include <yoke/contact/contact_element.hpp>
+#include <yoke/core/equations/grips/grip_rules.hpp>
 
 namespace yoke {
 

@@ -24,6 +24,25 @@ double ElasticLaw::penetration_at(double force) const {
   }
 }
 
+std::vector<Parameter> ContactLaw::parameters() const {
+  std::vector<Parameter> all = elastic.parameters();
+  for (const Parameter& p : dissipation.parameters()) all.push_back(p);
+  for (const Parameter& p : friction.parameters()) all.push_back(p);
+  return all;
+}
+
+void ContactLaw::check(const double* values) const {
+  elastic.check(values);
+  dissipation.check(values + elastic.fields());
+  friction.check(values + elastic.fields() + dissipation.fields());
+}
+
+ContactLaw ContactLaw::bound(const double* values) const {
+  const double* const for_dissipation = values + elastic.fields();
+  return {elastic.bound(values), dissipation.bound(for_dissipation),
+          friction.bound(for_dissipation + dissipation.fields())};
+}
+
 std::string ContactLaw::name() const {
   std::string name = elastic.name();
   if (!dissipation.none()) name += " with " + dissipation.name();

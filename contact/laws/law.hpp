@@ -18,6 +18,7 @@
 #include <concepts>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,7 @@ class ElasticLaw {
   /// From a function. Throws what its check() throws.
   template <ElasticFunction F>
   ElasticLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
+    fields_ = function_->parameters().size();
     limit_ = function_->limit();
     follows_ = function_->follows();
   }
@@ -70,7 +72,8 @@ class ElasticLaw {
   ElasticResponse response(double penetration) const {
     const double size = std::abs(penetration);
     if (size > limit_) return {not_a_number, not_a_number, not_a_number};
-    ElasticResponse r = function_->respond(size);
+    ElasticResponse r =
+        values_ == nullptr ? function_->respond(size) : function_->respond_with(size, values_);
     if (penetration < 0.0) r.force = -r.force;
     return r;
   }
@@ -85,6 +88,22 @@ class ElasticLaw {
     if (penetration < 0.0) r.here.force = -r.here.force, r.force_slope = -r.force_slope;
     return r;
   }
+
+  /// Changeable numbers, see core/law_parameters.hpp.
+  std::vector<Parameter> parameters() const { return function_->parameters(); }
+  /// Throws ModelError.
+  void check(const double* values) const { function_->check(values); }
+  /// The law with these numbers, while `this` and they exist; costs no allocation.
+  ElasticLaw bound(const double* values) const {
+    ElasticLaw law;
+    law.function_ = std::shared_ptr<const Function>(std::shared_ptr<void>(), function_.get());
+    law.limit_ = limit_;
+    law.follows_ = follows_;
+    law.values_ = values;
+    return law;
+  }
+  std::size_t fields() const { return fields_; }  ///< how many changeable numbers
+  bool is_same(const ElasticLaw& other) const { return function_ == other.function_; }
 
   double limit() const { return limit_; }  ///< [m], infinite if the law has none
   std::string name() const { return function_->name(); }
@@ -102,6 +121,11 @@ class ElasticLaw {
   struct Function {
     virtual ~Function() = default;
     virtual ElasticResponse respond(double penetration) const = 0;
+    virtual ElasticResponse respond_with(double penetration, const double* /*values*/) const {
+      return respond(penetration);
+    }
+    virtual std::vector<Parameter> parameters() const { return {}; }
+    virtual void check(const double* /*values*/) const {}
     virtual bool follows() const { return false; }
     virtual GradedResponse respond(double penetration, double /*curvature*/) const {
       return {.here = respond(penetration)};
@@ -116,6 +140,12 @@ class ElasticLaw {
       if constexpr (requires { law.check(); }) law.check();
     }
     ElasticResponse respond(double penetration) const override { return law(penetration); }
+    ElasticResponse respond_with(double penetration, const double* values) const override {
+      return use_law(law, values,
+                     [&](const auto& now) -> ElasticResponse { return now(penetration); });
+    }
+    std::vector<Parameter> parameters() const override { return parameters_of_law(law); }
+    void check(const double* values) const override { check_law(law, values); }
     bool follows() const override { return graded; }
     GradedResponse respond(double penetration, double curvature) const override {
       if constexpr (graded)
@@ -142,6 +172,8 @@ class ElasticLaw {
   };
 
   std::shared_ptr<const Function> function_;
+  const double* values_ = nullptr;  // of changeable numbers
+  std::size_t fields_ = 0;
   double limit_ = 0.0;
   bool follows_ = false;
 };
@@ -202,6 +234,7 @@ class DissipativeLaw {
 
   template <DissipativeFunction F>
   DissipativeLaw(F law) : function_(std::make_shared<const Holder<F>>(std::move(law))) {
+    fields_ = function_->parameters().size();
     needs_largest_penetration_ = function_->needs_largest_penetration();
     release_ = function_->release();
     has_kink_ = function_->has_kink();
@@ -210,7 +243,7 @@ class DissipativeLaw {
 
   /// Force, derivatives and energies of both parts together.
   ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const {
-    if (function_) return function_->evaluate(in, elastic);
+    if (function_) return function_->evaluate(in, elastic, values_);
     const ElasticResponse e = elastic.response(in.penetration);
     return {.force = e.force, .dforce_dpenetration = e.stiffness, .stored_energy = e.energy};
   }
@@ -221,10 +254,10 @@ class DissipativeLaw {
   bool has_kink() const { return has_kink_; }
   /// Changes sign at the corner of the formula; only if has_kink().
   double kink(const ContactInput& in, const ElasticLaw& elastic) const {
-    return function_->kink(in, elastic);
+    return function_->kink(in, elastic, values_);
   }
   double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const {
-    return function_ ? function_->permanent_set(memory, elastic) : 0.0;
+    return function_ ? function_->permanent_set(memory, elastic, values_) : 0.0;
   }
   /// Whether it may follow the curvature of a wall though its force is no multiple of the elastic
   /// one.
@@ -232,24 +265,49 @@ class DissipativeLaw {
   /// Only if knows_force_change().
   double force_change(const ContactInput& in, const ElasticLaw& elastic,
                       const ElasticLaw& change) const {
-    return function_->force_change(in, elastic, change);
+    return function_->force_change(in, elastic, change, values_);
   }
   /// No dissipation.
   bool none() const { return !function_; }
+  /// Changeable numbers, see core/law_parameters.hpp.
+  std::vector<Parameter> parameters() const {
+    return function_ ? function_->parameters() : std::vector<Parameter>();
+  }
+  /// Throws ModelError.
+  void check(const double* values) const {
+    if (function_) function_->check(values);
+  }
+  /// The law with these numbers, while `this` and they exist; costs no allocation.
+  DissipativeLaw bound(const double* values) const {
+    DissipativeLaw law;
+    law.function_ = std::shared_ptr<const Function>(std::shared_ptr<void>(), function_.get());
+    law.values_ = values;
+    law.needs_largest_penetration_ = needs_largest_penetration_;
+    law.has_kink_ = has_kink_;
+    law.knows_force_change_ = knows_force_change_;
+    law.release_ = release_;
+    return law;
+  }
+  std::size_t fields() const { return fields_; }  ///< how many changeable numbers
+  bool is_same(const DissipativeLaw& other) const { return function_ == other.function_; }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
  private:
   struct Function {
     virtual ~Function() = default;
-    virtual ContactOutput evaluate(const ContactInput&, const ElasticLaw&) const = 0;
+    virtual ContactOutput evaluate(const ContactInput&, const ElasticLaw&,
+                                   const double* values) const = 0;
     virtual bool needs_largest_penetration() const = 0;
     virtual Release release() const = 0;
-    virtual double permanent_set(const ContactMemory&, const ElasticLaw&) const = 0;
+    virtual double permanent_set(const ContactMemory&, const ElasticLaw&,
+                                 const double* values) const = 0;
     virtual bool has_kink() const = 0;
-    virtual double kink(const ContactInput&, const ElasticLaw&) const = 0;
+    virtual double kink(const ContactInput&, const ElasticLaw&, const double* values) const = 0;
     virtual bool knows_force_change() const = 0;
-    virtual double force_change(const ContactInput&, const ElasticLaw&,
-                                const ElasticLaw&) const = 0;
+    virtual double force_change(const ContactInput&, const ElasticLaw&, const ElasticLaw&,
+                                const double* values) const = 0;
+    virtual std::vector<Parameter> parameters() const = 0;
+    virtual void check(const double* values) const = 0;
     virtual std::string name() const = 0;
   };
 
@@ -258,9 +316,13 @@ class DissipativeLaw {
     explicit Holder(F given) : law(std::move(given)) {
       if constexpr (requires { law.check(); }) law.check();
     }
-    ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic) const override {
-      return law(in, elastic);
+    ContactOutput evaluate(const ContactInput& in, const ElasticLaw& elastic,
+                           const double* values) const override {
+      return use_law(law, values,
+                     [&](const auto& now) -> ContactOutput { return now(in, elastic); });
     }
+    std::vector<Parameter> parameters() const override { return parameters_of_law(law); }
+    void check(const double* values) const override { check_law(law, values); }
     bool needs_largest_penetration() const override {
       if constexpr (requires { law.needs_largest_penetration(); })
         return law.needs_largest_penetration();
@@ -273,24 +335,31 @@ class DissipativeLaw {
       else
         return Release::at_zero_force;
     }
-    double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic) const override {
+    double permanent_set(const ContactMemory& memory, const ElasticLaw& elastic,
+                         const double* values) const override {
       if constexpr (has_permanent_set)
-        return law.permanent_set(memory, elastic);
+        return use_law(law, values, [&](const auto& now) -> double {
+          return now.permanent_set(memory, elastic);
+        });
       else
         return 0.0;
     }
     bool has_kink() const override { return kinked; }
-    double kink(const ContactInput& in, const ElasticLaw& elastic) const override {
+    double kink(const ContactInput& in, const ElasticLaw& elastic,
+                const double* values) const override {
       if constexpr (kinked)
-        return law.kink(in, elastic);
+        return use_law(law, values,
+                       [&](const auto& now) -> double { return now.kink(in, elastic); });
       else
         return -1.0;
     }
     bool knows_force_change() const override { return changes; }
-    double force_change(const ContactInput& in, const ElasticLaw& elastic,
-                        const ElasticLaw& change) const override {
+    double force_change(const ContactInput& in, const ElasticLaw& elastic, const ElasticLaw& change,
+                        const double* values) const override {
       if constexpr (changes)
-        return law.force_change(in, elastic, change);
+        return use_law(law, values, [&](const auto& now) -> double {
+          return now.force_change(in, elastic, change);
+        });
       else
         return 0.0;
     }
@@ -316,6 +385,8 @@ class DissipativeLaw {
   };
 
   std::shared_ptr<const Function> function_;
+  const double* values_ = nullptr;  // of changeable numbers
+  std::size_t fields_ = 0;
   bool needs_largest_penetration_ = false;
   bool has_kink_ = false;
   bool knows_force_change_ = false;
@@ -333,6 +404,35 @@ struct ContactLaw {
   ContactOutput evaluate(const ContactInput& in) const { return dissipation.evaluate(in, elastic); }
   double penetration_limit() const { return elastic.limit(); }  ///< [m]
   std::string name() const;
+
+  /// Those of its three parts, one after the other.
+  std::vector<Parameter> parameters() const;
+  /// Throws ModelError.
+  void check(const double* values) const;
+  /// The law with these numbers, while `this` and they exist; costs no allocation.
+  ContactLaw bound(const double* values) const;
+  bool is_same(const ContactLaw& other) const {
+    return elastic.is_same(other.elastic) && dissipation.is_same(other.dissipation) &&
+           friction.is_same(other.friction);
+  }
+};
+
+/// A law, or the law with the numbers it has now. Valid while `law` and the numbers exist.
+class BoundLaw {
+ public:
+  BoundLaw(const ContactLaw& law, const double* values) : law_(&law) {
+    if (values == nullptr) return;
+    bound_.emplace(law.bound(values));
+    law_ = &*bound_;
+  }
+  BoundLaw(const BoundLaw&) = delete;
+  BoundLaw& operator=(const BoundLaw&) = delete;
+  const ContactLaw& operator*() const { return *law_; }
+  const ContactLaw* operator->() const { return law_; }
+
+ private:
+  std::optional<ContactLaw> bound_;
+  const ContactLaw* law_;
 };
 
 /// F = F_e (1 + chi d'), chi [s/m] constant during a contact: the form of most published laws,

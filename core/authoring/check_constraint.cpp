@@ -29,6 +29,7 @@ class ConstraintChecker {
         skip_(ground_columns(element.bodies())),
         v_(probe_.velocities(element.bodies())),
         comparison_(check) {
+    for (const Parameter& p : element.parameters()) parameters_.push_back(p.value);
     for (int r = 0; r < rows_; ++r) lambda_.push_back(ugly_multiplier(r, options.seed));
   }
 
@@ -58,7 +59,8 @@ class ConstraintChecker {
                                         .gamma = gamma ? b.gamma.data() : nullptr,
                                         .H = H ? b.H.data() : nullptr,
                                         .K = K ? b.K.data() : nullptr,
-                                        .lambda = K ? lambda_.data() : nullptr});
+                                        .lambda = K ? lambda_.data() : nullptr,
+                                        .parameters = parameters_.data()});
     return b;
   }
 
@@ -178,7 +180,7 @@ class ConstraintChecker {
   const CheckOptions& options_;
   int rows_, columns_;
   std::vector<bool> skip_;
-  Values v_, lambda_;
+  Values v_, lambda_, parameters_;
   ConstraintBlocks all_;
   Comparison comparison_;
 };

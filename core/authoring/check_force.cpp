@@ -30,17 +30,17 @@ Owned defaults_of(const ForceElement& element) {
 
 Owned owned_by(const ForceElement& element, const Model& model, const State& state) {
   Owned owned = defaults_of(element);
-  std::ptrdiff_t z = 0, parameter = 0, contact = 0;
-  for (const auto& force : model.forces()) {
+  std::ptrdiff_t z = 0, contact = 0;
+  for (std::size_t i = 0; i < model.forces().size(); ++i) {
+    const auto& force = model.forces()[i];
     if (force.get() == &element) {
       std::copy_n(state.z.data() + z, owned.z.size(), owned.z.begin());
-      std::copy_n(state.parameters.begin() + parameter, owned.parameters.size(),
-                  owned.parameters.begin());
+      std::copy_n(state.parameters.data() + model.first_parameter_of_force(i),
+                  owned.parameters.size(), owned.parameters.begin());
       std::copy_n(state.contacts.begin() + contact, owned.contacts.size(), owned.contacts.begin());
       break;
     }
     z += static_cast<std::ptrdiff_t>(force->states().size());
-    parameter += static_cast<std::ptrdiff_t>(force->parameters().size());
     contact += force->contacts();
   }
   return owned;

@@ -56,7 +56,7 @@ void add_velocity_products(const ConstraintSlot& c, const System& system, const 
     const int dof = system.dof()[at(c.dofs + j)];
     return dof < 0 ? 0.0 : std::abs(v[dof]);
   };
-  c.element->evaluate(probe.motion(), {.gamma = gamma.data(), .H = still.data()});
+  system.evaluate(c, probe.motion(), {.gamma = gamma.data(), .H = still.data()});
   for (int i = 0; i < c.rows; ++i) {
     sizes[at(c.row + i)] += std::abs(gamma[at(i)]);
     for (int k = 0; k < c.columns; ++k)
@@ -67,7 +67,7 @@ void add_velocity_products(const ConstraintSlot& c, const System& system, const 
     double& velocity = probe.velocity(c.element->bodies()[at(j / 3)], j % 3);
     velocity = 1.0;
     std::ranges::fill(H, 0.0);
-    c.element->evaluate(probe.motion(), {.H = H.data()});
+    system.evaluate(c, probe.motion(), {.H = H.data()});
     velocity = 0.0;
     for (int i = 0; i < c.rows; ++i)
       for (int k = 0; k < c.columns; ++k) {
@@ -102,8 +102,7 @@ EquationTerms rate_terms(System& system, const Eigen::VectorXd& v) {
   EquationTerms terms;
   terms.value.assign(at(system.rows()), 0.0);
   for (const ConstraintSlot& c : system.constraints())
-    if (c.element->rheonomic())
-      c.element->evaluate(system.motion(), {.phi_t = terms.value.data() + c.row});
+    if (c.element->rheonomic()) system.evaluate(c, {.phi_t = terms.value.data() + c.row});
   for (const double value : terms.value) terms.size.push_back(std::abs(value));
   add_products(system, v, terms.size);
   return terms;
@@ -116,7 +115,7 @@ EquationTerms acceleration_terms(System& system, const State& state) {
   terms.products = terms.noise = terms.value;
   Probe probe(system.motion());
   for (const ConstraintSlot& c : system.constraints()) {
-    c.element->evaluate(system.motion(), {.gamma = terms.value.data() + c.row});
+    system.evaluate(c, {.gamma = terms.value.data() + c.row});
     add_velocity_products(c, system, state.v, probe, terms.products);
   }
   terms.size = terms.products;

@@ -17,8 +17,11 @@ Dynamics::Dynamics(const Model& model)
     : system_(model), length_metric_(metric_of_lengths(system_)) {
   build_matrix();
   lu_.emplace(matrix_);
+  if (!system_.loaded().empty()) loaded_.emplace(system_, matrix_);
   const std::size_t size = at(system_.dofs() + system_.rows());
   b_.assign(size + 1, 0.0);
+  free_ = b_;
+  shared_.assign(at(system_.rows()), 0.0);
   phi_.assign(at(system_.rows()), 0.0);
   residual_.assign(at(system_.rows()), 0.0);
   zero_.assign(at(system_.dofs()), 0.0);
@@ -66,18 +69,26 @@ void Dynamics::leave_out(const std::vector<int>& rows) {
   retired_ = counters();
   build_matrix();
   lu_.emplace(matrix_);
+  if (loaded_) loaded_.emplace(system_, matrix_);
   lengths_.reset();
   factorised_ = false;
   weakest_.clear();
 }
 
 FactorCounters Dynamics::counters() const {
-  const FactorCounters& now = lu_->counters();
-  return {retired_.refactorisations + now.refactorisations, retired_.fresh + now.fresh};
+  FactorCounters sum = retired_;
+  const auto add = [&](const FactorCounters& now) {
+    sum.refactorisations += now.refactorisations;
+    sum.fresh += now.fresh;
+  };
+  add(lu_->counters());
+  if (loaded_) add(loaded_->counters());
+  return sum;
 }
 
 void Dynamics::reset() {
   lu_->reset();
+  if (loaded_) loaded_->reset();
   lengths_.reset();
   factorised_ = false;
   weakest_.clear();
@@ -121,8 +132,7 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
   const auto constraints = system_.constraints();
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const ConstraintSlot& c = constraints[i];
-    c.element->evaluate(system_.motion(),
-                        {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
+    system_.evaluate(c, {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
                          .G = reuse ? nullptr : system_.G() + c.block,
                          .gamma = gamma + c.row});
     if (!reuse) stamp(i);
@@ -140,9 +150,15 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
   // Forces on the ground are collected in b_[n], which belongs to gamma: it is put back afterwards.
   std::fill_n(b_.begin(), n, 0.0);
   const double first_gamma = gamma[0];
-  system_.add_forces(b_.data(), z_dot, quadrature_rates);
+  if (loaded_)
+    system_.add_unloaded_forces(b_.data(), z_dot, quadrature_rates);
+  else
+    system_.add_forces(b_.data(), z_dot, quadrature_rates);
   gamma[0] = first_gamma;
-  lu_->solve(b_.data());
+  if (!loaded_)
+    lu_->solve(b_.data());
+  else if (!solve_loaded(z_dot, quadrature_rates))
+    return false;
 
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < b_.size(); ++i) sum += b_[i];
@@ -156,6 +172,21 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
   std::copy_n(b_.begin(), n, a);
   if (lambda != nullptr) std::copy_n(b_.begin() + n, system_.rows(), lambda);
   if (quadrature_rates != nullptr) system_.add_driver_power(gamma, quadrature_rates);
+  return true;
+}
+
+bool Dynamics::solve_loaded(double* z_dot, double* quadrature_rates) {
+  free_ = b_;
+  lu_->solve(b_.data());
+  if (!loaded_->solve(matrix_, free_.data(), b_.data())) {
+    if (!std::ranges::all_of(free_, [](double x) { return std::isfinite(x); }))
+      system_.blame_not_finite();
+    return false;
+  }
+  system_.set_multipliers(b_.data() + system_.dofs());
+  std::ranges::fill(free_, 0.0);
+  system_.add_loaded_forces(free_.data(), z_dot, quadrature_rates);
+  system_.set_multipliers(nullptr);
   return true;
 }
 

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include <yoke/core/equations/loaded_forces.hpp>
 #include <yoke/core/equations/redundancy.hpp>
 #include <yoke/core/equations/scaled_saddle.hpp>
 #include <yoke/core/equations/sparse.hpp>
@@ -88,10 +89,12 @@ class Dynamics {
   /// All event functions [events] at a motion, where they need them with the forces of friction that
   /// holds. False if these cannot be computed.
   bool calc_events(const Instant& at, double* g);
-  /// Lets the system know what friction at rest bears, after calc_accelerations() gave `lambda` [rows].
-  /// Where rows of others carry it, all share so that the greatest use of a limit is as small as may be,
-  /// in the sense of least squares.
+  /// Lets the elements know reactions, and what friction at rest bears, after calc_accelerations() gave
+  /// `lambda` [rows]. Where rows of others carry it, all share so that the greatest use of a limit is as
+  /// small as may be, in the sense of least squares.
   void share_hold_forces(const double* lambda);
+  /// [rows] The multipliers with that share.
+  const double* shared_multipliers() const { return shared_.data(); }
 
   /// Moves q to the nearest position on the constraints. False: no convergence (see worst_row()).
   bool project_positions(double t, double* q, Correction how = Correction::coarse);
@@ -172,7 +175,9 @@ class Dynamics {
   Outcome finish_assembly(State& state);
   Outcome check_left_out(const State& state, const RankAnalysis& analysis);
   bool project_singular(State& state);
-  void share_with_carried();
+  bool solve_loaded(double* z_dot, double* quadrature_rates);
+  Eigen::VectorXd response_to(std::size_t hold);
+  void share_with_carried(const double* lambda);
   Outcome explain_positions(const class LeastChange& failed) const;
   double position_tolerance(const double* q) const;
   std::vector<char> dropped_marks() const;  // [rows]
@@ -182,8 +187,9 @@ class Dynamics {
   std::vector<Stamp> stamps_;
   std::vector<std::size_t> stamp_start_;  // [constraints + 1]
   std::optional<SparseLU> lu_;
-  FactorCounters retired_;  // of factorisations of other choices of rows
-  std::vector<double> b_;   // right-hand side and solution, one entry more for the ground
+  std::optional<LoadedForces> loaded_;  // where forces depend on reactions
+  FactorCounters retired_;              // of factorisations of other choices of rows
+  std::vector<double> b_;  // right-hand side and solution, one entry more for the ground
   std::vector<double> phi_;
   std::vector<double> residual_;
   std::vector<double> zero_;  // velocities, where none matter
@@ -193,7 +199,7 @@ class Dynamics {
   std::vector<int> hold_diagonal_;          // slots of the rows of friction that may hold
   long version_factorised_ = 0;             // System::hold_version()
   Eigen::VectorXd a_there_, lambda_there_;  // of looks at friction that holds
-  std::vector<double> hold_forces_;
+  std::vector<double> hold_forces_, shared_, free_;
   std::vector<std::size_t> held_, carried_;
   Redundancy redundancy_;
   std::vector<double> length_metric_;    // for independence()

@@ -65,6 +65,10 @@ Outcome Dynamics::finish_assembly(State& state) {
   if (calc_accelerations(state)) return {};
   if (system_.not_finite().empty())
     return {false, "masses and joints do not determine the accelerations at the start pose"};
+  if (system_.wedged())
+    return {false,
+            fmt::format("'{}' wedges at the start pose: no force satisfies the reaction it makes",
+                        system_.not_finite())};
   return {false, fmt::format("accelerations at the start are not finite because of '{}'",
                              system_.not_finite())};
 }
@@ -146,7 +150,7 @@ std::string Dynamics::contradiction(double t, const double* q, double bound) {
   for (const ConstraintSlot& c : system_.constraints()) {
     bool left_out = false;
     for (int i = c.row; i < c.row + c.rows; ++i) left_out = left_out || system_.is_left_out(i);
-    if (left_out) c.element->evaluate(system_.motion(), {.phi = phi_.data() + c.row});
+    if (left_out) system_.evaluate(c, {.phi = phi_.data() + c.row});
   }
   for (const int row : system_.left_out_rows()) {
     const bool is_length = system_.measure(row) == Measure::length;

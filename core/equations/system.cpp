@@ -2,10 +2,13 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/core/equations/system.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include <yoke/core/equations/index.hpp>
+#include <yoke/core/error.hpp>
 
 namespace yoke {
 
@@ -145,7 +148,7 @@ void HeldRow::evaluate(const Motion& motion, const ConstraintRequest& out) const
 }
 
 void System::lay_out_forces() {
-  int block = 0, parameters = 0, contacts = 0;
+  int block = 0, contacts = 0;
   for (const auto& f : model_.forces()) {
     const std::vector<BodyId> bodies = f->bodies(model_);
     ForceSlot slot{.element = f.get(),
@@ -154,19 +157,37 @@ void System::lay_out_forces() {
                    .block = block,
                    .states = static_cast<int>(f->states().size()),
                    .z = states_,
-                   .parameters = parameters,
+                   .parameters = static_cast<int>(model_.first_parameter_of_force(forces_.size())),
                    .contacts = contacts,
                    .events = events_};
     if (f->dissipates()) slot.dissipated = quadratures_++;
     if (f->supplies()) slot.supplied = quadratures_++;
     block += slot.columns;
     states_ += slot.states;
-    parameters += static_cast<int>(f->parameters().size());
     contacts += f->contacts();
     events_ += f->events();
+    find_load(slot);
+    if (slot.load >= 0) loaded_.push_back(forces_.size());
     forces_.push_back(slot);
   }
   Q_.assign(at(block), 0.0);
+  for (std::size_t i = 0; i < constraints_.size(); ++i)
+    constraints_[i].parameters = static_cast<int>(model_.first_parameter_of_constraint(i));
+  start_parameters_ = model_.start_state().parameters;
+  parameters_ = start_parameters_.data();
+}
+
+void System::find_load(ForceSlot& slot) const {
+  const Constraint* joint = slot.element->loaded_by();
+  if (joint == nullptr) return;
+  for (const ConstraintSlot& c : joints()) {
+    if (c.element != joint) continue;
+    slot.load = c.row;
+    slot.load_rows = c.rows;
+    return;
+  }
+  throw ModelError(fmt::format("'{}' depends on the reaction of a joint that is not in the model",
+                               slot.element->name()));
 }
 
 double System::length_of_layout() {
@@ -265,6 +286,7 @@ void System::bind(const State& state) {
 void System::set_motion(double t, const double* q, const double* v) {
   motion_.t = t;
   hold_forces_known_ = false;
+  multipliers_ = nullptr;
   for (std::size_t i = 1; i < bodies_.size(); ++i, q += 3, v += 3) {
     BodyMotion& b = bodies_[i];
     b.x = q[0];
@@ -290,12 +312,14 @@ ForceInput System::force_input(const ForceSlot& slot) const {
           .rounding = rounding_,
           .hold = slot.row >= 0 && hold_forces_known_
                       ? hold_forces_.data() + (slot.row - joint_rows_)
-                      : nullptr};
+                      : nullptr,
+          .multipliers =
+              slot.load >= 0 && multipliers_ != nullptr ? multipliers_ + slot.load : nullptr};
 }
 
 void System::calc_position_level(double* phi) {
   for (const ConstraintSlot& c : constraints_)
-    c.element->evaluate(motion_, {.phi = phi + c.row, .G = G_.data() + c.block});
+    evaluate(c, {.phi = phi + c.row, .G = G_.data() + c.block});
 }
 
 double System::norm(const double* residual, int* worst) const {
@@ -317,7 +341,7 @@ void System::calc_velocity_residual(double* residual) {
   for (const ConstraintSlot& c : constraints_) {
     double* out = residual + c.row;
     if (c.quadrature >= 0 || c.hold >= 0) {
-      c.element->evaluate(motion_, {.phi_t = out});
+      evaluate(c, {.phi_t = out});
     } else {
       std::fill_n(out, c.rows, 0.0);
     }
@@ -382,24 +406,35 @@ Reaction System::reaction(std::size_t constraint, const double* lambda) const {
 }
 
 void System::add_forces(double* Q, double* z_dot, double* quadrature_rates) {
-  for (const ForceSlot& f : forces_) {
-    double* local = Q_.data() + f.block;
-    std::fill_n(local, f.columns, 0.0);  // an element without bodies has none
-    Energy energy;
-    const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
-    if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
-    f.element->evaluate(force_input(f),
-                        {.Q = local,
-                         .z_dot = f.states > 0 && z_dot != nullptr ? z_dot + f.z : nullptr,
-                         .energy = wants_energy ? &energy : nullptr});
-    for (int j = 0; j < f.columns; ++j) {
-      const int dof = dof_[at(f.dofs + j)];
-      Q[dof < 0 ? dofs_ : dof] += local[j];
-    }
-    if (!wants_energy) continue;
-    if (f.dissipated >= 0) quadrature_rates[f.dissipated] = energy.dissipated_power;
-    if (f.supplied >= 0) quadrature_rates[f.supplied] = energy.supplied_power;
+  for (const ForceSlot& f : forces_) add_force(f, Q, z_dot, quadrature_rates);
+}
+
+void System::add_unloaded_forces(double* Q, double* z_dot, double* quadrature_rates) {
+  for (const ForceSlot& f : forces_)
+    if (f.load < 0) add_force(f, Q, z_dot, quadrature_rates);
+}
+
+void System::add_loaded_forces(double* Q, double* z_dot, double* quadrature_rates) {
+  for (const std::size_t i : loaded_) add_force(forces_[i], Q, z_dot, quadrature_rates);
+}
+
+void System::add_force(const ForceSlot& f, double* Q, double* z_dot, double* quadrature_rates) {
+  double* local = Q_.data() + f.block;
+  std::fill_n(local, f.columns, 0.0);  // an element without bodies has none
+  Energy energy;
+  const bool wants_energy = quadrature_rates != nullptr && (f.dissipated >= 0 || f.supplied >= 0);
+  if (z_dot != nullptr) std::fill_n(z_dot + f.z, f.states, 0.0);
+  f.element->evaluate(force_input(f),
+                      {.Q = local,
+                       .z_dot = f.states > 0 && z_dot != nullptr ? z_dot + f.z : nullptr,
+                       .energy = wants_energy ? &energy : nullptr});
+  for (int j = 0; j < f.columns; ++j) {
+    const int dof = dof_[at(f.dofs + j)];
+    Q[dof < 0 ? dofs_ : dof] += local[j];
   }
+  if (!wants_energy) return;
+  if (f.dissipated >= 0) quadrature_rates[f.dissipated] = energy.dissipated_power;
+  if (f.supplied >= 0) quadrature_rates[f.supplied] = energy.supplied_power;
 }
 
 void System::add_driver_power(const double* lambda, double* quadrature_rates) {
@@ -409,7 +444,7 @@ void System::add_driver_power(const double* lambda, double* quadrature_rates) {
     if (quadrature < 0 || (c.hold >= 0 && is_dropped(c.row))) continue;
     // Force on the mechanism -G^T lambda, so its power is -lambda^T G v = lambda^T Phi_t.
     double* phi_t = phi_t_.data() + c.row;
-    c.element->evaluate(motion_, {.phi_t = phi_t});
+    evaluate(c, {.phi_t = phi_t});
     double power = 0.0;
     for (int i = 0; i < c.rows; ++i) power += lambda[c.row + i] * phi_t[i];
     if (drives)
@@ -429,6 +464,16 @@ void System::blame_event(int slot) {
     if (slot >= f.events && slot < f.events + f.element->events()) not_finite_ = f.element->name();
 }
 
+void System::blame_wedged(const ForceSlot& force) {
+  not_finite_ = force.element->name();
+  wedged_ = true;
+}
+
+void System::forget_wedged() {
+  if (wedged_) not_finite_.clear();
+  wedged_ = false;
+}
+
 void System::blame_not_finite() {
   const auto finite = [](const double* values, int count) {
     return std::all_of(values, values + count, [](double x) { return std::isfinite(x); });
@@ -440,7 +485,7 @@ void System::blame_not_finite() {
     if (!finite(local, f.columns)) not_finite_ = f.element->name();
   }
   for (const ConstraintSlot& c : constraints_) {
-    c.element->evaluate(motion_, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
+    evaluate(c, {.G = G_.data() + c.block, .gamma = phi_t_.data() + c.row});
     if (!finite(G_.data() + c.block, c.rows * c.columns) || !finite(phi_t_.data() + c.row, c.rows))
       not_finite_ = c.element->name();
   }

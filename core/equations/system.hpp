@@ -33,6 +33,7 @@ struct ConstraintSlot {
   int dofs = 0;         // offset into System::dof: global coordinate of each local column
   int block = 0;        // offset of its [rows x 3k] block in G (and H)
   int quadrature = -1;  // work done by a driver
+  int parameters = 0;   // offset into State::parameters
   int hold = -1;        // of friction that may hold: its force element, index into System::forces()
 };
 
@@ -49,7 +50,9 @@ struct ForceSlot {
   int events = 0;       // offset into the event functions
   int dissipated = -1;  // quadrature indices
   int supplied = -1;
-  int row = -1;  // constraint row of friction that may hold
+  int row = -1;   // constraint row of friction that may hold
+  int load = -1;  // first row of the joint whose multipliers it depends on
+  int load_rows = 0;
 };
 
 /// Kinetic, potential, stored energy [J]; the quadratures of the State complete the ledger.
@@ -100,6 +103,8 @@ class System {
   const std::vector<int>& dropped_rows() const { return dropped_rows_; }
   /// Is any friction at rest, with or without a row of its own? As bind() found it.
   bool any_grip() const { return any_grip_; }
+  /// Does any element look at reactions, its own hold or those of a joint?
+  bool looks_at_reactions() const { return any_grip_ || !loaded_.empty(); }
   const ContactMemory& grip_memory(const ConstraintSlot& hold) const {
     return contacts_[forces_[static_cast<std::size_t>(hold.hold)].contacts];
   }
@@ -107,6 +112,11 @@ class System {
   long hold_version() const { return hold_version_; }
   /// What friction at rest bears [holds()], at the motion set last; forgotten when another is set.
   void set_hold_forces(const double* forces);
+  /// Forces that depend on the reaction of a joint: indices into forces().
+  std::span<const std::size_t> loaded() const { return loaded_; }
+  /// Multipliers [rows] that those see from now on, until another motion is set; null: none. The pointer
+  /// must outlive the evaluations.
+  void set_multipliers(const double* lambda) { multipliers_ = lambda; }
   /// Names of the quadratures, "motor.work" or "slot.dissipated".
   std::vector<std::string> quadrature_names() const;
   /// For each quadrature: work of a load or driver (true) or dissipated energy.
@@ -121,6 +131,12 @@ class System {
   void set_states(const double* z) { z_ = z; }
   const Motion& motion() const { return motion_; }
   ForceInput force_input(const ForceSlot& slot) const;
+  /// The blocks of a constraint, at the motion set last or at another.
+  void evaluate(const ConstraintSlot& c, ConstraintRequest out) const { evaluate(c, motion_, out); }
+  void evaluate(const ConstraintSlot& c, const Motion& motion, ConstraintRequest out) const {
+    out.parameters = parameters_ + c.parameters;
+    c.element->evaluate(motion, out);
+  }
 
   /// Phi [rows] and G (blocks).
   void calc_position_level(double* phi);
@@ -141,6 +157,11 @@ class System {
   /// Q [dofs + 1] (added), z_dot [states] and quadrature rates [quadratures] of the force elements;
   /// null where not wanted.
   void add_forces(double* Q, double* z_dot, double* quadrature_rates);
+  /// The same of one.
+  void add_force(const ForceSlot& force, double* Q, double* z_dot, double* quadrature_rates);
+  /// Of those that depend on no reaction, and of those that do.
+  void add_unloaded_forces(double* Q, double* z_dot, double* quadrature_rates);
+  void add_loaded_forces(double* Q, double* z_dot, double* quadrature_rates);
   /// Power of the drivers, lambda^T Phi_t, into their quadrature rates.
   void add_driver_power(const double* lambda, double* quadrature_rates);
   /// All event functions [events].
@@ -152,6 +173,10 @@ class System {
   /// its name for the report of a failed run. Off the hot path.
   void blame_not_finite();
   const std::string& not_finite() const { return not_finite_; }
+  /// The same of an element whose force no reactions satisfy.
+  void blame_wedged(const ForceSlot& force);
+  bool wedged() const { return wedged_; }
+  void forget_wedged();
   /// The element that owns an event function which is not finite.
   void blame_event(int slot);
 
@@ -171,6 +196,7 @@ class System {
   void lay_out_constraints();
   void lay_out_forces();
   void lay_out_holds();
+  void find_load(ForceSlot& slot) const;
   void note_holds();
   void collect_dropped();
   int add_dofs(const std::vector<BodyId>& bodies);
@@ -198,11 +224,15 @@ class System {
   std::vector<double> Q_;
   const double* z_ = nullptr;
   const double* parameters_ = nullptr;
+  std::vector<double> start_parameters_;  // until bind()
   const ContactMemory* contacts_ = nullptr;
+  std::vector<std::size_t> loaded_;
+  const double* multipliers_ = nullptr;
   Scales scales_;
   double natural_length_ = 1.0;
   double rounding_ = 0.0;  // [m] of the coordinates in the start pose
   std::string not_finite_;
+  bool wedged_ = false;
 };
 
 }  // namespace yoke

@@ -57,11 +57,11 @@ Changing find_changing(const Model& model, const EquilibriumPathOptions& options
   model.check_parameter("equilibrium_path", options.parameter, options.from);
   model.check_parameter("equilibrium_path", options.parameter, options.to);
   const std::size_t index = model.find_parameter(options.parameter);
-  std::size_t before = index;
-  for (const auto& f : model.forces())
-    for (const Parameter& p : f->parameters())
-      if (before-- == 0) return {options.parameter, p.unit, index};
-  return {};
+  const OwnedParameter& changing = model.parameters()[index];
+  if (changing.of_constraint)
+    throw ModelError(fmt::format(
+        "equilibrium_path: parameter = '{}' sets a motion; nothing rests then", options.parameter));
+  return {options.parameter, changing.parameter.unit, index};
 }
 
 void check_options(const EquilibriumPathOptions& o) {

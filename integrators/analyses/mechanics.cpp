@@ -23,10 +23,11 @@ struct Mechanics::Equations {
 
   Dynamics dynamics;
   std::optional<SparseLU> lu;  // of the same matrix: Dynamics solves for its own forces alone
+  std::optional<LoadedForces> loaded;
   State state;
   bool known = false, has_null_space = false;
   int n, rows, freedom = 0;
-  Eigen::VectorXd mass, metric, phi, off, gamma, Q, b;
+  Eigen::VectorXd mass, metric, phi, off, gamma, Q, unloaded, b, x;
   Eigen::MatrixXd G, scaled, N;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
   Eigen::RowVectorXd scratch;
@@ -41,6 +42,7 @@ Mechanics::Equations::Equations(const Model& model)
   const System& system = dynamics.system();
   freedom = n - rows + static_cast<int>(system.dropped_rows().size());
   lu.emplace(dynamics.matrix());
+  if (!system.loaded().empty()) loaded.emplace(dynamics.system(), dynamics.matrix());
   mass = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), n);
   const std::vector<double> w = metric_of_masses(system);
   metric = Eigen::Map<const Eigen::VectorXd>(w.data(), n);
@@ -48,7 +50,9 @@ Mechanics::Equations::Equations(const Model& model)
   off.setZero(rows);
   gamma.setZero(rows);
   Q.setZero(n + 1);
+  unloaded.setZero(n + 1);
   b.setZero(n + rows + 1);
+  x.setZero(n + rows + 1);
   G.setZero(rows, n);
   scaled.setZero(n, rows);
   N.setZero(n, freedom);
@@ -62,14 +66,18 @@ void Mechanics::Equations::evaluate() {
   system.calc_velocity_residual(off.data());
   G.setZero();
   for (const ConstraintSlot& c : system.constraints()) {
-    c.element->evaluate(system.motion(), {.gamma = gamma.data() + c.row});
+    system.evaluate(c, {.gamma = gamma.data() + c.row});
     for (int i = 0; i < c.rows; ++i)
       for (int j = 0; j < c.columns; ++j)
         if (const int dof = system.dof()[static_cast<std::size_t>(c.dofs + j)]; dof >= 0)
           G(c.row + i, dof) += system.G()[c.block + i * c.columns + j];
   }
-  Q.setZero();
-  system.add_forces(Q.data(), nullptr, nullptr);
+  unloaded.setZero();
+  system.add_unloaded_forces(unloaded.data(), nullptr, nullptr);
+  Q = unloaded;
+  system.set_multipliers(state.lambda.data());
+  system.add_loaded_forces(Q.data(), nullptr, nullptr);
+  system.set_multipliers(nullptr);
 }
 
 Mechanics::Mechanics(const Model& model) : equations_(std::make_unique<Equations>(model)) {}
@@ -151,12 +159,17 @@ void Mechanics::accelerations(const Eigen::VectorXd& F, Eigen::VectorXd& a,
   sized(F.size(), e.n, "F");
   sized(a.size(), e.n, "a");
   sized(lambda.size(), e.rows, "lambda");
-  e.b.head(e.n) = e.Q.head(e.n) + F;
+  e.b.head(e.n) = e.unloaded.head(e.n) + F;
   e.b.segment(e.n, e.rows) = e.gamma;
   for (const int row : e.dynamics.system().dropped_rows()) e.b[e.n + row] = 0.0;
-  e.lu->solve(e.b.data());
-  a = e.b.head(e.n);
-  lambda = e.b.segment(e.n, e.rows);
+  e.x = e.b;
+  e.lu->solve(e.x.data());
+  if (e.loaded && !e.loaded->solve(e.dynamics.matrix(), e.b.data(), e.x.data()))
+    throw ModelError(fmt::format("mechanics: at t = {:.9g} s the friction of '{}' wedges",
+                                 e.state.t, e.dynamics.system().not_finite()));
+  e.dynamics.system().set_multipliers(nullptr);
+  a = e.x.head(e.n);
+  lambda = e.x.segment(e.n, e.rows);
 }
 
 // Q2 of G^T = Q R in coordinates in which the metric is 1, by its Householder vectors one by one:

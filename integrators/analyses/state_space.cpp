@@ -109,7 +109,12 @@ StateSpace state_space(const Model& model, const State& state,
         (2.0 * h);
   }
   for (Eigen::Index i = 0; i < n_in; ++i) {
-    const std::size_t index = model.find_parameter(inputs[static_cast<std::size_t>(i)]);
+    const std::string& input = inputs[static_cast<std::size_t>(i)];
+    const std::size_t index = model.find_parameter(input);
+    if (model.parameters()[index].of_constraint)
+      throw ModelError(fmt::format(
+          "state space: input '{}' sets a motion; inputs are loads and parameters of forces",
+          input));
     const auto beside = [&](double h) {
       State there = s.about.state;
       there.parameters[index] += h;

@@ -133,7 +133,8 @@ bool Run::initialise() {
   elements_.initialise_contacts();
   if (stopped_) return false;
   dynamics_.reset();  // a fresh factorisation: equal inputs, equal bits
-  if (!dynamics_.project(state_)) return fail("accelerations at the start are not finite");
+  if (!dynamics_.project(state_))
+    return fail("accelerations at the start are not finite" + blame_element(dynamics_.system()));
   sample_ = state_;
   samples_->start(state_);
   if (!take_samples_due()) return false;

@@ -60,7 +60,7 @@ class Run {
   const Table& columns() const { return result_.samples; }
   /// A changeable parameter, from time() on. Throws ModelError if it may not have the value.
   void set_parameter(std::size_t index, double value);
-  double parameter(std::size_t index) const { return state_.parameters.at(index); }
+  double parameter(std::size_t index) const;
 
   Snapshot snapshot();
   /// Throws ModelError.
@@ -98,6 +98,7 @@ class Run {
   void calc_look();
   void settle();
   void disturb();
+  void drive(const std::vector<double>& values);
   State last_good_state();
   std::string dead_point();
   bool reaches_impasse(double t);

@@ -4,6 +4,7 @@
 // What is done to a run from outside: looks, changes of parameters, going back.
 #include <yoke/integrators/engine/run.hpp>
 
+#include <yoke/core/equations/grips/grips.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 
@@ -71,12 +72,26 @@ void Run::disturb() {
   disturbed_ = true;
 }
 
+double Run::parameter(std::size_t index) const {
+  std::vector<double> values = state_.parameters;
+  dynamics_.system().model().update_parameters(t_shown_, values);
+  return values.at(index);
+}
+
 void Run::set_parameter(std::size_t index, double value) {
+  const Model& model = dynamics_.system().model();
+  const Parameter parameter = model.parameter(index);
+  model.check_parameter(index, value);
   std::vector<double> values = state_.parameters;
   values.at(index) = value;
-  const Model& model = dynamics_.system().model();
   model.check_parameters(values);
-  if (ended_ || values == state_.parameters) return;
+  if (ended_ || value == this->parameter(index)) return;
+  if (model.parameters()[index].of_constraint) {
+    values = state_.parameters;
+    model.update_parameters(t_shown_, values);
+    values.at(index) = value;
+    return drive(values);
+  }
   disturb();
   System& system = dynamics_.system();
   const auto elastic = [&] {
@@ -91,7 +106,33 @@ void Run::set_parameter(std::size_t index, double value) {
   ledger.initial += elastic() - before;
   samples_->set_ledger(ledger);
   stale_ = true;
-  stiffness_changed_ = stiffness_changed_ || !model.parameter(index).load;
+  stiffness_changed_ = stiffness_changed_ || !parameter.load;
+}
+
+/// Parameters of drivers. If joints cannot follow, nothing has happened; what else the blow of a new speed
+/// leads to happens at once.
+void Run::drive(const std::vector<double>& values) {
+  disturb();
+  settle();
+  if (stopped_) return;
+  const State before = state_;
+  try {
+    elements_.drive(values);
+  } catch (...) {
+    state_ = before;
+    dynamics_.system().bind(state_);
+    throw;
+  }
+  stale_ = true;
+  result_.summary.t_end = state_.t;
+  guarded([this] {
+    elements_.handle_consequences();
+    if (result_.summary.stop == Stop::by_event) {
+      settle();
+      samples_->record_end(state_);
+    }
+    if (stopped_) end();
+  });
 }
 
 // False if the run ends here.
@@ -115,7 +156,8 @@ Snapshot Run::snapshot() {
           .initial_energy = samples_->ledger().initial,
           .formulation = std::string(entry_.name),
           .tolerance_kept = result_.summary.tolerance_kept,
-          .left_out = dynamics_.system().left_out_rows()};
+          .left_out = dynamics_.system().left_out_rows(),
+          .v_taken = shown().v};
 }
 
 void Run::restore(const Snapshot& s) {
@@ -129,7 +171,9 @@ void Run::restore(const Snapshot& s) {
   const std::vector<int> left_out = dynamics_.system().left_out_rows();
   dynamics_.leave_out(s.left_out);
   dynamics_.reset();
-  if (!dynamics_.project(state)) {
+  // A velocity that has been given is a blow, which friction does not hold.
+  const bool struck = state.v != s.v_taken;
+  if ((struck && !let_go_of_grips(dynamics_, state)) || !dynamics_.project(state)) {
     dynamics_.leave_out(left_out);
     dynamics_.system().bind(state_);
     throw ModelError(not_projected("restored ", state.t));
@@ -155,6 +199,7 @@ void Run::restore(const Snapshot& s) {
   stopped_ = ended_ = stale_ = stiffness_changed_ = false;
   standstill_.start(state_.t, {.start = state_.t});
   disturb();
+  if (struck) elements_.settle();
   make_formulation();
 }
 

@@ -439,4 +439,16 @@ void read_rows(const fs::path& folder, const Checkpoint& c, Result& result) {
   fs::resize_file(events, static_cast<std::uintmax_t>(p - log.data()));
 }
 
+Bytes state_to_bytes(const State& state) { return Json::to_cbor(Write::to_json(state)); }
+
+State state_from_bytes(std::span<const std::uint8_t> bytes) {
+  State state;
+  try {
+    Read::from_json(Json::from_cbor(bytes.begin(), bytes.end()), state);
+  } catch (const Json::exception& error) {
+    throw ModelError(fmt::format("these bytes are not a state: {}", error.what()));
+  }
+  return state;
+}
+
 }  // namespace yoke

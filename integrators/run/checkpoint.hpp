@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,5 +82,9 @@ std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder);
 /// Rows and events that belong to it; `result` has its columns already. Cuts off what is beyond.
 /// Throws ModelError if the files are shorter than they should be or not of this model.
 void read_rows(const std::filesystem::path& folder, const Checkpoint& checkpoint, Result& result);
+
+/// A state as bytes (CBOR), every bit of it, and back. Throws ModelError for other bytes.
+std::vector<std::uint8_t> state_to_bytes(const State& state);
+State state_from_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace yoke

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <yoke/core/equations/grips.hpp>
+#include <yoke/core/equations/grips/grips.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {
@@ -15,6 +15,13 @@ namespace yoke {
 namespace {
 
 constexpr std::size_t most_consequences = 100;  // of blows at one instant
+constexpr double conflict = 1e-6;  // of a jump of speed: a joint that does not follow it
+
+void require_not_own(const std::string& element, const Parameter& p) {
+  if (p.own)
+    throw ModelError(
+        fmt::format("'{0}': {1} is kept by the element itself and cannot be set", element, p.name));
+}
 
 }  // namespace
 
@@ -28,11 +35,12 @@ ElementEvents::ElementEvents(Dynamics& dynamics, State& state, Result& result, S
   fired_.reserve(g_.size() + most_consequences + 1);
   constexpr double never = std::numeric_limits<double>::infinity();
   const System& system = dynamics.system();
-  for (const ForceSlot& slot : system.forces()) {
-    const std::vector<Parameter> own = slot.element->parameters();
-    own_parameters_.push_back(own.size());
-    parameters_.insert(parameters_.end(), own.begin(), own.end());
-  }
+  for (const OwnedParameter& p : system.model().parameters()) parameters_.push_back(p.parameter);
+  for (const ForceSlot& slot : system.forces())
+    own_parameters_.push_back(slot.element->parameters().size());
+  for (const ConstraintSlot& c : system.joints())
+    if (const std::size_t own = c.element->parameters().size(); own > 0)
+      drivers_.push_back({&c, static_cast<std::size_t>(c.parameters), own});
   if (parameters_.size() != state.parameters.size()) return;
   parameters_before_ = state.parameters;
   const Motion start{.t = state.t, .bodies = {}, .inertia = {}};
@@ -134,38 +142,124 @@ void ElementEvents::handle(const std::vector<int>& fired) {
   begin();
   state_.handled.clear();
   state_.handled_at = state_.t;
-  if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state_.lambda.data());
+  if (dynamics_.system().looks_at_reactions()) dynamics_.share_hold_forces(state_.lambda.data());
   // A blow may take more of them across zero, which are handled too, and may strike in turn.
   fired_ = fired;
+  handle_fired(fired.size());
+  stiffness_changed_ = parameters_changed_;
+  if (changed()) settle_grips();
+}
+
+/// What has fired, `known` of them before any blow.
+void ElementEvents::handle_fired(std::size_t known) {
   for (std::size_t i = 0; i < fired_.size(); ++i) {
     for (const ForceSlot& slot : dynamics_.system().forces()) {
       const int event = fired_[i] - slot.events;
       if (event < 0 || event >= slot.element->events()) continue;
       handle_one(slot, event);
     }
-    if (fired_.size() <= fired.size() + most_consequences) continue;
+    if (fired_.size() <= known + most_consequences) continue;
     stop_(Stop::failed,
           fmt::format("events at t = {:.9g} s strike one another without end; the last "
                       "is of '{}'",
                       state_.t, result_.events.back().element));
     break;
   }
-  stiffness_changed_ = parameters_changed_;
-  if (changed()) settle_grips();
 }
 
 void ElementEvents::handle_one(const ForceSlot& slot, int event) {
   if (slot.element->events_settle()) state_.handled.push_back(slot.events + event);
   EventContext context = context_of(slot);
   const EnergyTerms before = dynamics_.system().calc_energy();
+  note_drivers();
   slot.element->handle_event(event, context);
   if (parameters_changed_) dynamics_.system().model().check_parameters(state_.parameters);
-  const bool struck = struck_;
+  const bool struck = struck_, driven = withhold_drivers();
   if (struck) follow_blow();
-  if (!(parameters_changed_ || struck) || slot.supplied < 0) return;
-  const EnergyTerms after = dynamics_.system().calc_energy();
-  state_.energy[slot.supplied] += after.potential + after.stored - before.potential - before.stored;
-  if (struck) state_.energy[slot.supplied] += after.kinetic - before.kinetic;
+  if ((parameters_changed_ || struck) && slot.supplied >= 0) {
+    const EnergyTerms after = dynamics_.system().calc_energy();
+    state_.energy[slot.supplied] +=
+        after.potential + after.stored - before.potential - before.stored;
+    if (struck) state_.energy[slot.supplied] += after.kinetic - before.kinetic;
+  }
+  if (driven) drive_on();
+}
+
+void ElementEvents::drive(const std::vector<double>& values) {
+  begin();
+  fired_.clear();
+  note_drivers();
+  std::ranges::copy(values, state_.parameters.begin());
+  if (withhold_drivers()) drive_on();
+}
+
+void ElementEvents::handle_consequences() {
+  handle_fired(0);
+  if (changed()) settle_grips();
+}
+
+/// Before somebody may set drivers, who is to find their present motion.
+void ElementEvents::note_drivers() {
+  if (drivers_.empty()) return;
+  drivers_raw_ = state_.parameters;
+  dynamics_.system().model().update_parameters(state_.t, state_.parameters);
+  drivers_then_ = state_.parameters;
+}
+
+/// Have drivers been set? They have their parameters of before until drive_on().
+bool ElementEvents::withhold_drivers() {
+  if (drivers_.empty()) return false;
+  drivers_wanted_ = state_.parameters;
+  const auto differs = [&](const Driver& d) {
+    const auto first = static_cast<std::ptrdiff_t>(d.first);
+    return !std::equal(drivers_wanted_.begin() + first,
+                       drivers_wanted_.begin() + first + static_cast<std::ptrdiff_t>(d.count),
+                       drivers_then_.begin() + first);
+  };
+  const bool set = std::ranges::any_of(drivers_, differs);
+  const std::vector<double>& before = set ? drivers_then_ : drivers_raw_;
+  for (const Driver& d : drivers_)
+    for (std::size_t i = d.first; i < d.first + d.count; ++i) state_.parameters[i] = before[i];
+  return set;
+}
+
+/// One after the other, which leads to the same velocities as all at once.
+void ElementEvents::drive_on() {
+  for (const Driver& driver : drivers_) drive_on(driver);
+}
+
+/// The driver has its new parameters. Its work is the kinetic energy of the blow.
+void ElementEvents::drive_on(const Driver& of) {
+  System& system = dynamics_.system();
+  const ConstraintSlot& driver = *of.slot;
+  const auto rate = [&] {
+    double phi_t = 0.0;
+    system.evaluate(driver, {.phi_t = &phi_t});
+    return phi_t;
+  };
+  system.set_motion(state_.t, state_.q.data(), state_.v.data());
+  const double before = rate();
+  bool changes = false;
+  for (std::size_t i = of.first; i < of.first + of.count; ++i) {
+    if (state_.parameters[i] == drivers_wanted_[i]) continue;
+    require_not_own(driver.element->name(), parameters_[i]);
+    state_.parameters[i] = drivers_wanted_[i];
+    changes = parameters_changed_ = true;
+  }
+  if (!changes) return;
+  const double after = rate();
+  if (before == after) return;
+  const double kinetic = system.calc_energy().kinetic;
+  system.calc_events(g_.data());
+  velocities_changed_ = true;
+  follow_blow();
+  if (!system.left_out_rows().empty() &&
+      dynamics_.velocity_violation(state_).largest() > conflict * std::abs(after - before))
+    throw ModelError(
+        fmt::format("driver '{}': speed: another joint or driver prescribes this motion too",
+                    driver.element->name()));
+  if (driver.quadrature >= 0)
+    state_.energy[driver.quadrature] += system.calc_energy().kinetic - kinetic;
 }
 
 void ElementEvents::strike(BodyId body, const Vec2& impulse, double angular) {
@@ -215,13 +309,15 @@ void ElementEvents::take_samples(double t) {
   fired_.clear();
   for (const ForceSlot* slot : sampled_) {
     if (slot->element->next_sample(dynamics_.system().force_input(*slot)) > t) continue;
+    note_drivers();
     parameters_before_ = state_.parameters;
     EventContext context = context_of(*slot);
     slot->element->sample(context);
     if (struck_) follow_blow();
     book_parameters(*slot);
+    if (withhold_drivers()) drive_on();
   }
-  if (changed()) settle_grips();
+  handle_consequences();
   loads_only_ = parameters_changed_ && !stiffness_changed_ && !velocities_changed_ &&
                 state_.contacts == contacts_before_;
 }
@@ -243,6 +339,8 @@ void ElementEvents::book_parameters(const ForceSlot& by) {
   }
   if (!stores) return;
   stiffness_changed_ = true;
+  for (const ForceSlot& f : dynamics_.system().forces())
+    f.element->check_parameters(state_.parameters.data() + f.parameters);
   const auto elastic = [&] {
     const EnergyTerms energy = dynamics_.system().calc_energy();
     return energy.potential + energy.stored;

@@ -28,6 +28,11 @@ class ElementEvents {
   double next_sample() const;
   /// Takes the samples that are due until `t` [s], at the state, which is as for handle().
   void take_samples(double t);
+  /// Changes parameters of drivers, at the state, which is as for handle(): `values` are all parameters.
+  /// A new speed is a blow. Throws ModelError if joints cannot follow.
+  void drive(const std::vector<double>& values);
+  /// The events that blows of drive() have led to.
+  void handle_consequences();
   /// Settles which friction holds, after a change from outside at the state, which is as for handle().
   void settle();
   /// Whether the last handle() or take_samples() changed a contact's memory, a velocity or a
@@ -39,6 +44,10 @@ class ElementEvents {
   bool loads_only() const { return loads_only_; }
 
  private:
+  struct Driver {
+    const ConstraintSlot* slot;
+    std::size_t first, count;  // of its parameters
+  };
   EventContext context_of(const ForceSlot& slot);
   void settle_grips();
   void add_note(const std::string& note);
@@ -47,6 +56,11 @@ class ElementEvents {
   void strike(BodyId body, const Vec2& impulse, double angular);
   void follow_blow();
   void book_parameters(const ForceSlot& by);
+  void handle_fired(std::size_t known);
+  void note_drivers();
+  bool withhold_drivers();
+  void drive_on();
+  void drive_on(const Driver& driver);
 
   Dynamics& dynamics_;
   State& state_;
@@ -58,6 +72,10 @@ class ElementEvents {
   std::vector<double> parameters_before_;    // of a sample
   std::vector<const ForceSlot*> sampled_;    // have samples
   std::vector<std::size_t> own_parameters_;  // how many each element has
+  std::vector<Driver> drivers_;              // that have parameters
+  std::vector<double> drivers_raw_;          // all parameters, before somebody may set drivers,
+  std::vector<double> drivers_then_;         // in their form of that time,
+  std::vector<double> drivers_wanted_;       // and as they were set
   std::vector<double> g_, g_before_;         // event functions around a blow
   std::vector<int> fired_;                   // with those that blows have added
   bool parameters_changed_ = false, stiffness_changed_ = false, loads_only_ = false;

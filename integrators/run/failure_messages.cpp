@@ -71,6 +71,10 @@ std::string chattering(long most, double window, double t, const std::vector<Eve
 std::string blame_element(const System& system) {
   const std::string& culprit = system.not_finite();
   if (culprit.empty()) return "";
+  if (system.wedged())
+    return fmt::format(
+        ": '{}' wedges there: it makes the reaction that makes it, and no force satisfies both",
+        culprit);
   return fmt::format(": '{}' gives a value that is not finite there", culprit);
 }
 

@@ -39,6 +39,13 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+void add_parameters(Hash& hash, const std::vector<Parameter>& parameters) {
+  for (const Parameter& p : parameters) {
+    hash.add(p.name);
+    hash.add(p.value);
+  }
+}
+
 void add_layout(Hash& hash, const Model& model) {
   for (const Body& b : model.bodies()) {
     hash.add(b.name);
@@ -50,14 +57,12 @@ void add_layout(Hash& hash, const Model& model) {
     hash.add(c->name());
     for (const BodyId id : c->bodies()) hash.add(id.index);
     for (const Equation& e : c->equations()) hash.add(e.label);
+    add_parameters(hash, c->parameters());
   }
   for (const auto& f : model.forces()) {
     hash.add(f->name());
     for (const BodyId id : f->bodies(model)) hash.add(id.index);
-    for (const Parameter& p : f->parameters()) {
-      hash.add(p.name);
-      hash.add(p.value);
-    }
+    add_parameters(hash, f->parameters());
     for (const Channel& c : f->channels()) hash.add(c.name);
     for (const Channel& c : f->states()) hash.add(c.name);
     hash.add(f->contacts());
@@ -76,8 +81,7 @@ void add_answers(Hash& hash, System& system, State& state) {
     const auto rows = static_cast<std::size_t>(c.rows);
     block.assign(3 * rows + rows * static_cast<std::size_t>(c.columns), 0.0);
     double* p = block.data();
-    c.element->evaluate(system.motion(),
-                        {.phi = p, .G = p + 3 * rows, .phi_t = p + rows, .gamma = p + 2 * rows});
+    system.evaluate(c, {.phi = p, .G = p + 3 * rows, .phi_t = p + rows, .gamma = p + 2 * rows});
     hash.add(block.data(), block.size());
   }
   for (const ForceSlot& f : system.forces()) {

@@ -41,7 +41,7 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
     table.add_column(c.element->name() + ".moment", "N m");
   }
   for (const ForceSlot& f : system.forces()) {
-    table.begin_part(f.element->contacts() > 0 ? "contacts" : "forces");
+    table.begin_part(f.element->penetration_scale() > 0.0 ? "contacts" : "forces");
     for (const Channel& z : f.element->states())
       table.add_column(f.element->name() + "." + z.name, z.unit);
     const std::vector<Channel> channels = f.element->channels();
@@ -69,11 +69,11 @@ void Recorder::start(const State& state) {
 
 void Recorder::record(const State& state, Table& table) {
   check(state);
-  if (dynamics_.system().any_grip()) dynamics_.share_hold_forces(state.lambda.data());
+  dynamics_.share_hold_forces(state.lambda.data());
   double* row = table.append();
   *row++ = state.t;
   row = record_bodies(state, row);
-  row = record_reactions(state, row);
+  row = record_reactions(row);
   row = record_channels(row);
   record_energy(state, row);
 }
@@ -88,9 +88,9 @@ double* Recorder::record_bodies(const State& state, double* row) const {
   return row;
 }
 
-double* Recorder::record_reactions(const State& state, double* row) const {
+double* Recorder::record_reactions(double* row) const {
   for (std::size_t i = 0; i < dynamics_.system().joints().size(); ++i) {
-    const Reaction reaction = dynamics_.reaction(i, state.lambda.data());
+    const Reaction reaction = dynamics_.reaction(i, dynamics_.shared_multipliers());
     *row++ = reaction.force.x();
     *row++ = reaction.force.y();
     *row++ = reaction.moment;

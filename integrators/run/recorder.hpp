@@ -33,7 +33,7 @@ class Recorder {
 
  private:
   double* record_bodies(const State& state, double* row) const;
-  double* record_reactions(const State& state, double* row) const;
+  double* record_reactions(double* row) const;
   double* record_channels(double* row) const;
   void record_energy(const State& state, double* row);
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <yoke/core/model.hpp>
@@ -24,6 +25,10 @@ struct AngleDriver {
   BodyId body;
   BodyId relative_to = ground;  // from whose angle it is counted
   TimeFunction angle{};         // f [rad]
+  /// [rad/s] The speed of a motion that is added to f, or alone if there is none, then from the start pose
+  /// on: the changeable parameters "name.speed" and "name.acceleration" (0 at first). Setting the speed
+  /// is a blow, setting the acceleration is none; what is driven goes on from where it is.
+  std::optional<double> speed{};
 
   std::unique_ptr<Constraint> build(const Model& model) const;
 };

@@ -28,6 +28,10 @@ struct DisplacementDriver {
   /// by default; with from = {0, 0} on the ground it is the coordinate itself.
   std::optional<Vec2> from{};
   TimeFunction displacement{};  // f [m]
+  /// [m/s] The speed of a motion that is added to f, or alone if there is none, then from the start pose
+  /// on: the changeable parameters "name.speed" and "name.acceleration" (0 at first). Setting the speed
+  /// is a blow, setting the acceleration is none; what is driven goes on from where it is.
+  std::optional<double> speed{};
 
   std::unique_ptr<Constraint> build(const Model& model) const;
 };

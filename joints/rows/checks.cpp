@@ -68,4 +68,12 @@ double require_apart(const std::string& owner, std::string_view first, const Vec
   return distance;
 }
 
+void require_ideal_for_friction(const std::string& owner, bool friction, bool clearance) {
+  if (friction && clearance)
+    throw ModelError(
+        owner +
+        ": friction is that of the joint without clearance; with clearance, give it to the "
+        "contact law");
+}
+
 }  // namespace yoke

@@ -34,6 +34,9 @@ void require_finite_vector(const std::string& owner, std::string_view parameter,
 /// The unit vector along `direction`, which must be finite and not zero.
 Vec2 unit_direction(const std::string& owner, std::string_view parameter, const Vec2& direction);
 
+/// Friction is given to a joint without clearance.
+void require_ideal_for_friction(const std::string& owner, bool friction, bool clearance);
+
 /// The two points are further apart than rounding; returns their distance [m].
 double require_apart(const std::string& owner, std::string_view first, const Vec2& p,
                      std::string_view second, const Vec2& q);

@@ -5,6 +5,7 @@
 // a hanging chain of N links (kinematics, joints, gravity, assembly, refactor, solve) against the
 // bare KLU refactor + solve of the very same matrix. Both are timed in turn, block by block, in one
 // run; the counter `ratio` is the median of the ratios of neighbouring blocks. Aim: at most 1.5.
+#include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/tests/bench/chain.hpp>
 
@@ -52,6 +53,42 @@ void acceleration_of_chain(benchmark::State& bench) {
   bench.counters["klu_ns_per_link"] = 1e9 * median(theirs) / links;
 }
 
+// Friction in every joint from its reaction, over the same chain without. Newton's iteration takes a few
+// rounds of one factorisation each; what counts is that it costs no more per link in a long chain.
+void friction_of_chain(benchmark::State& bench) {
+  const int links = static_cast<int>(bench.range(0));
+  const auto evaluation = [&](const std::optional<PinFriction>& friction) {
+    const Model model = chain(links, friction);
+    Dynamics dynamics(model);
+    State state = model.start_state();
+    if (!dynamics.assemble(state)) return 0.0;
+    double nudge = 1e-9;
+    return seconds(std::max(1, 5000 / links), [&] {
+      nudge = -nudge;
+      for (Eigen::Index i = 2; i < state.q.size(); i += 3) state.q[i] += nudge;
+      dynamics.calc_accelerations(
+          {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
+          {.a = state.a.data(), .lambda = state.lambda.data()});
+    });
+  };
+  std::vector<double> ratios, with;
+  for (auto _ : bench) {
+    const double plain = evaluation({});
+    with.push_back(evaluation(PinFriction{.law = RegularisedCoulomb{.mu = 0.2}, .radius = 0.02}));
+    bench.SetIterationTime(with.back());
+    ratios.push_back(with.back() / plain);
+  }
+  bench.counters["ratio"] = median(ratios);
+  bench.counters["ns_per_link"] = 1e9 * median(with) / links;
+}
+
+BENCHMARK(friction_of_chain)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Iterations(7)
+    ->UseManualTime();
 BENCHMARK(acceleration_of_chain)
     ->Arg(10)
     ->Arg(100)

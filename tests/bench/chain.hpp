@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ inline double median(std::vector<double> x) {
 }
 
 // Links of 1 m and 1 kg, each turned a little against the last, so that no entry is special.
-inline Model chain(int links) {
+inline Model chain(int links, const std::optional<PinFriction>& friction = {}) {
   Model model;
   Vec2 joint(0.0, 0.0);
   BodyId last = ground;
@@ -50,7 +51,11 @@ inline Model chain(int links) {
                                        .inertia = 1.0 / 12.0,
                                        .pose = {joint + half, angle},
                                        .twist = {{0.0, 0.0}, 0.1 * std::cos(1.3 * i)}});
-    model.add(Revolute{.name = "joint " + std::to_string(i), .a = last, .b = link, .at = joint});
+    model.add(Revolute{.name = "joint " + std::to_string(i),
+                       .a = last,
+                       .b = link,
+                       .at = joint,
+                       .friction = friction});
     joint += 2.0 * half;
     last = link;
   }

@@ -15,8 +15,8 @@
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
-#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
@@ -390,6 +390,24 @@ TEST_CASE("coulomb: a run taken up while it sticks gives the same bits") {
     REQUIRE(a.size() == b.size());
     CHECK(std::memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0);
   }
+}
+
+TEST_CASE("coulomb: a velocity given to what sticks, in a snapshot, sets it going") {
+  const double mu = 0.3, v = 0.2;
+  const Model model = block(dry(mu, mu), std::atan(0.5 * mu));
+  Simulation run(model, {.until = 1.0, .relative_tolerance = 1e-10});
+  run.advance_to(0.1);
+  Snapshot here = run.snapshot();
+  REQUIRE(here.state.contacts[0].grip == Grip::held);
+  run.restore(here);
+  CHECK(run.snapshot().state.contacts[0].grip == Grip::held);
+  here.state.v[0] = v;
+  run.restore(here);
+  CHECK(run.snapshot().state.v[0] == Approx(v));
+  run.advance_to(1.0);
+  const double slowing = g * std::cos(std::atan(0.5 * mu)) * 0.5 * mu;
+  CHECK(run.state().q[0] - here.state.q[0] == Approx(0.5 * v * v / slowing).epsilon(1e-8));
+  CHECK(run.state().v[0] == 0.0);
 }
 
 TEST_CASE("coulomb: a disc that bounces and spins: formulations agree, the ledger is closed") {

@@ -32,9 +32,9 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
     {"core",
-     {"core", "core/equations", "core/authoring", "core/control", "core/curves/pieces",
-      "core/curves", "core/drawing", "core/output"}},
-    {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints"}},
+     {"core", "core/equations", "core/equations/grips", "core/authoring", "core/control",
+      "core/curves/pieces", "core/curves", "core/drawing", "core/output"}},
+    {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints/friction", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",
       "contact/laws/friction", "contact/laws/catalog", "contact/geometry", "contact/details",
@@ -44,11 +44,13 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/details", "integrators/engine",
       "integrators/analyses"}},
-    {"cases",
-     {"cases/choices", "cases/checks", "cases", "cases/clearance", "cases/impacts",
-      "cases/friction", "cases/slots", "cases/terminal", "cases/results", "cases/report",
-      "cases/jobs", "cases/validation", "cases/paper/figures", "cases/paper", "cases/program/help",
-      "cases/program", "cases/program/reports", "cases/program/texts", "cases/program/studies"}},
+    {"cases", {"cases/choices",       "cases/checks",         "cases",
+               "cases/clearance",     "cases/impacts",        "cases/friction",
+               "cases/slots",         "cases/terminal",       "cases/results",
+               "cases/report",        "cases/jobs",           "cases/fmu",
+               "cases/validation",    "cases/paper/figures",  "cases/paper",
+               "cases/program/help",  "cases/program",        "cases/program/reports",
+               "cases/program/texts", "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
 

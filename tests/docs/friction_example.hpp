@@ -37,6 +37,22 @@ ContactLaw rubber() {
   return {PowerLaw{1e7, 1.5}, HuntCrossley{0.3}, BrownMcPhee{.mu = 0.5, .mu_static = 0.6}};
 }
 
+// A flywheel that runs out in its bearing.
+Model flywheel(const FrictionLaw& law) {
+  Model m;
+  const BodyId wheel = m.add(Body{.name = "wheel",
+                                  .mass = 3.0_kg,
+                                  .inertia = 20000.0_kg_mm2,
+                                  .pose = {{0.0, 0.0}, 0.0},
+                                  .twist = {{0.0, 0.0}, 4.0}});
+  m.add(Gravity{});
+  m.add(Revolute{.name = "bearing",
+                 .a = ground,
+                 .b = wheel,
+                 .friction = PinFriction{.law = law, .radius = 10.0_mm}});
+  return m;
+}
+
 /// mu N (2/pi) atan(v/v_t)
 struct Arctangent {
   double mu = 0.0;          // [1] >= 0

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/analyses/verify.hpp>
 #include <yoke/integrators/simulate.hpp>

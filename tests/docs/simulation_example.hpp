@@ -11,12 +11,17 @@
 #include <thread>
 #include <vector>
 
+#include <yoke/contact/disc_on_curve.hpp>
+#include <yoke/contact/laws/dissipative/exact_restitution.hpp>
+#include <yoke/contact/laws/elastic/power_law.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/control/sampled_controller.hpp>
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/analyses/state_space.hpp>
 #include <yoke/integrators/simulation.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
@@ -150,6 +155,67 @@ double two_halves(double until, double exchange) {
     step_to(t, 0.5 * (before + after));
   }
   return left.state().q[0];
+}
+
+// A crank whose motor is switched to another speed and then braked to rest. Returns how far it has turned.
+double switched_crank() {
+  Model m;
+  const BodyId crank = m.add({.name = "crank", .mass = 1.0_kg, .inertia = 0.02_kg_m2});
+  m.add(Revolute{.name = "axle", .a = ground, .b = crank, .at = {0.0, 0.0}});
+  m.add(AngleDriver{.name = "motor", .body = crank, .speed = 10.0});
+  Simulation run(m, {.until = 3.0, .samples = 0});
+  run.advance_to(1.0);
+  run.set("motor.speed", 30.0);  // a blow: motor.work_J grows by 8 J
+  run.advance_to(2.0);
+  run.set("motor.acceleration", -30.0);  // none
+  run.advance_to(3.0);
+  return run.get("crank.angle_rad");
+}
+
+// A ball falls on a floor whose restitution is chosen while it is in the air. Returns the height to which
+// it comes back.
+double bounce(double restitution) {
+  Model m;
+  const BodyId ball = m.add(
+      {.name = "ball", .mass = 0.1_kg, .inertia = 1.0e-5_kg_m2, .pose = {.position = {0.0, 1.02}}});
+  m.add(Gravity{});
+  m.add(
+      DiscOnCurve{.name = "floor",
+                  .disc = {.body = ball, .at = {0.0, 1.02}, .radius = 20.0_mm},
+                  .body = ground,
+                  .curve = straight_line({-1.0, 0.0}, {1.0, 0.0}),
+                  .law = ContactLaw{per_mm(49070.0, 1.1), changeable(ExactRestitution{.e = 0.9})}});
+  Simulation run(m, {.until = 2.0, .samples = 0});
+  run.advance_to(0.2);
+  run.set("floor.restitution", restitution);
+  run.advance_to(0.47);  // on its way up
+  const double vy = run.get("ball.vy_m_per_s");
+  return run.get("ball.y_m") + vy * vy / (2.0 * 9.81) - 0.02;
+}
+
+// A mass on a rod that a program of one's own computes by finite differences: u_tt = (E A / m) u_xx, its far
+// end fixed. The program sets the rod's force on the mass and reads where the mass is.
+double mass_on_rod(double until, int cells) {
+  constexpr double length = 1.0, EA = 2000.0, rod_mass = 0.3;  // [m, N, kg]
+  Model m;
+  const BodyId mass = m.add(
+      {.name = "mass", .mass = 1.0_kg, .inertia = 1.0_kg_m2, .twist = {.velocity = {0.1, 0.0}}});
+  m.add(AppliedForce{.name = "rod", .body = mass, .at = {0.0, 0.0}, .value = Vec2(0.0, 0.0)});
+  Simulation run(m, {.until = until, .samples = 0});
+
+  const double dx = length / cells, dt = 0.5 * dx * std::sqrt(rod_mass / length / EA);
+  const double slope = EA / (rod_mass / length * dx * dx);
+  std::vector<double> u(static_cast<std::size_t>(cells) + 1), rate(u.size());
+  while (!run.ended()) {
+    const double h = std::min(dt, until - run.time());
+    u[0] = run.state().q[0];
+    run.set("rod.fx", EA * (u[1] - u[0]) / dx);
+    for (std::size_t i = 1; i + 1 < u.size(); ++i)
+      rate[i] += h * slope * (u[i + 1] - 2.0 * u[i] + u[i - 1]);
+    for (std::size_t i = 1; i + 1 < u.size(); ++i) u[i] += h * rate[i];
+    run.advance_to(std::min(until, run.time() + h));
+  }
+  return run.state().q[0];
 }
 
 // In real time: a step of a millisecond each millisecond. Returns the least time that was left [s].

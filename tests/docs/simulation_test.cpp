@@ -8,7 +8,7 @@
 #include <yoke/tests/documentation.hpp>
 
 TEST_CASE("the code in docs/simulation.md is compiled here and does what it says") {
-  yoke::tests::check_blocks("docs/simulation.md", "cpp", 9, {"tests/docs/simulation_example.hpp"});
+  yoke::tests::check_blocks("docs/simulation.md", "cpp", 12, {"tests/docs/simulation_example.hpp"});
 
   using namespace yoke;
   namespace example = simulation_example;
@@ -64,4 +64,44 @@ TEST_CASE("docs/simulation.md: matrices of the crane") {
   const double at_once = (plant.C * plant.A * plant.B)(0, 0);
   const double held = 2.5 - 0.5 * 0.5 * 0.4 * 0.4 / (1.0e-3 + 0.5 * 0.4 * 0.4);
   CHECK(at_once == doctest::Approx(1.0 / held).epsilon(1e-8));
+}
+
+TEST_CASE("docs/simulation.md: motors that are switched, walls that are changed") {
+  namespace example = simulation_example;
+  CHECK(example::switched_crank() == doctest::Approx(10.0 + 30.0 + 15.0).epsilon(1e-12));
+  // The ball falls 1 m, and comes back to e^2 of it.
+  CHECK(example::bounce(0.5) == doctest::Approx(0.25).epsilon(1e-3));
+  CHECK(example::bounce(0.7) == doctest::Approx(0.49).epsilon(1e-3));
+}
+
+namespace {
+
+/// Mode by mode: beta tan(beta) = m / M, omega = beta sqrt(E A / (m L)), in the metric of mass and rod.
+double mass_on_rod_exactly(double t) {
+  constexpr double m = 0.3, v = 0.1, pi = 3.14159265358979323846;
+  double x = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    double low = i * pi, high = (i + 0.5) * pi;  // the tangent rises from 0 to infinity
+    while (high - low > 1e-15 * high) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      (middle * std::tan(middle) > m ? high : low) = middle;
+    }
+    const double beta = 0.5 * (low + high), s = std::sin(beta),
+                 omega = beta * std::sqrt(2000.0 / m);
+    const double modal = s * s + m * (0.5 - std::sin(2.0 * beta) / (4.0 * beta));
+    x += v * s * s / (omega * modal) * std::sin(omega * t);
+  }
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("docs/simulation.md: a rod of finite differences converges with its cells") {
+  const double t = 0.05, exact = mass_on_rod_exactly(t);
+  CHECK(exact > 1e-3);
+  const double coarse = std::abs(simulation_example::mass_on_rod(t, 50) - exact);
+  const double fine = std::abs(simulation_example::mass_on_rod(t, 100) - exact);
+  CHECK(coarse < 0.02 * exact);
+  CHECK(fine < 0.6 * coarse);
 }

@@ -79,6 +79,16 @@ TEST_CASE("derivatives of the joints of two bodies agree with differences") {
                                 .along = r,
                                 .relative_to = b,
                                 .displacement = swing()});
+    check(t, AngleDriver{.name = "set angle", .body = a, .relative_to = b, .speed = 1.3});
+    check(t, AngleDriver{
+                 .name = "both", .body = a, .relative_to = b, .angle = swing(), .speed = -0.7});
+    check(t, DisplacementDriver{.name = "set displacement",
+                                .body = a,
+                                .at = p,
+                                .along = r,
+                                .relative_to = b,
+                                .from = Vec2(0.3, 0.1),
+                                .speed = 0.9});
     check(t, Gear{.name = "gear", .a = a, .b = b, .carrier = t.c, .ratio = -1.7});
     check(t, Gear{.name = "belt", .a = a, .b = b, .carrier = t.c, .ratio = 1.0});
   }

@@ -35,6 +35,9 @@ constexpr Examples examples[] = {
     {"law", "  yoke law list\n  yoke law show johnson\n"},
     {"impact", "  yoke impact --help\n"},
     {"list", "  yoke list\n"},
+    {"fmu",
+     "  yoke fmu slider_crank\n"
+     "  yoke fmu slider_crank --set crank=100mm -o engine.fmu\n"},
     {"new", "  yoke new my_mechanism\n"},
     {"completion",
      "  yoke completion bash > ~/.local/share/bash-completion/completions/yoke\n"

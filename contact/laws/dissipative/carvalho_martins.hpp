@@ -21,6 +21,8 @@ struct CarvalhoMartins {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<CarvalhoMartins> fields[] = {{"restitution", "", &CarvalhoMartins::e}};
+
   double damping() const {
     return 1.5 * (1.0 - e) * (11.0 - e) / (1.0 + 9.0 * e);
   }  ///< X, that is chi v_i

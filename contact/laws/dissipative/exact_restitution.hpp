@@ -22,6 +22,9 @@ struct ExactRestitution {
   double e = 1.0;  // least_restitution <= e <= 1
   TensilePhase tensile = TensilePhase::keep;
 
+  static constexpr LawField<ExactRestitution> fields[] = {
+      {"restitution", "", &ExactRestitution::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_stored_energy(in, elastic.response(in.penetration), damping_ratio(e));
   }

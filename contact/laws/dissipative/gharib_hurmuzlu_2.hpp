@@ -21,6 +21,8 @@ namespace yoke {
 struct GharibHurmuzlu2 {
   double e = 1.0;  // least_restitution <= e <= 1
 
+  static constexpr LawField<GharibHurmuzlu2> fields[] = {{"restitution", "", &GharibHurmuzlu2::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return with_permanent_indentation(in, elastic, e);
   }

@@ -23,6 +23,9 @@ struct HerbertMcWhannell {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<HerbertMcWhannell> fields[] = {
+      {"restitution", "", &HerbertMcWhannell::e}};
+
   /// X, that is chi v_i.
   double damping() const { return 6.0 * (1.0 - e) / ((2.0 * e - 1.0) * (2.0 * e - 1.0) + 3.0); }
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {

@@ -19,6 +19,8 @@ struct HuGuo {
   double e = 1.0;                  // least_restitution <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<HuGuo> fields[] = {{"restitution", "", &HuGuo::e}};
+
   double damping() const { return 1.5 * (1.0 - e) / e; }  ///< X, that is chi v_i
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_approach(in, elastic, damping(), slowest_approach);

@@ -20,6 +20,8 @@ namespace yoke {
 struct HuntCrossley {
   double alpha = 0.0;  // [s/m], >= 0; 0.08 to 0.32 for steel, bronze and ivory
 
+  static constexpr LawField<HuntCrossley> fields[] = {{"alpha", "s/m", &HuntCrossley::alpha}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_in_proportion(elastic.response(in.penetration), 1.5 * alpha, in.rate);
   }
@@ -38,6 +40,9 @@ struct HuntCrossley {
 struct HuntCrossleyRestitution {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
+
+  static constexpr LawField<HuntCrossleyRestitution> fields[] = {
+      {"restitution", "", &HuntCrossleyRestitution::e}};
 
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     const double alpha = (1.0 - e) / std::max(in.memory.approach_velocity, slowest_approach);

@@ -24,6 +24,8 @@ struct KelvinVoigt {
   double e = 1.0;  // least_restitution <= e <= 1
   TensilePhase tensile = TensilePhase::keep;
 
+  static constexpr LawField<KelvinVoigt> fields[] = {{"restitution", "", &KelvinVoigt::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     const ElasticResponse r = elastic.response(in.penetration);
     const double scale = 2.0 * damping_ratio(e) * std::sqrt(in.memory.effective_mass);

@@ -20,6 +20,8 @@ struct KhuliefShabana {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<KhuliefShabana> fields[] = {{"restitution", "", &KhuliefShabana::e}};
+
   double damping() const { return 0.75 * (1.0 - e) * (1.0 + e); }  ///< X, that is chi v_i
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_approach(in, elastic, damping(), slowest_approach);

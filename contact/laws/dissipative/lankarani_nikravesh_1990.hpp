@@ -19,6 +19,9 @@ struct LankaraniNikravesh1990 {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<LankaraniNikravesh1990> fields[] = {
+      {"restitution", "", &LankaraniNikravesh1990::e}};
+
   double damping() const { return 0.75 * (1.0 - e) * (1.0 + e); }  ///< X, that is chi v_i
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_approach(in, elastic, damping(), slowest_approach);

@@ -19,6 +19,9 @@ namespace yoke {
 struct LankaraniNikravesh1994 {
   double e = 1.0;  // least_restitution <= e <= 1
 
+  static constexpr LawField<LankaraniNikravesh1994> fields[] = {
+      {"restitution", "", &LankaraniNikravesh1994::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return with_permanent_indentation(in, elastic, e);
   }

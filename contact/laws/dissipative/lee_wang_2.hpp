@@ -35,6 +35,8 @@ struct LeeWang2 {
   TensilePhase tensile = TensilePhase::keep;
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<LeeWang2> fields[] = {{"restitution", "", &LeeWang2::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     const ElasticResponse r = elastic.response(in.penetration);
     if (!(r.stiffness > 1e-100 && in.memory.effective_mass > 0.0))

@@ -22,6 +22,8 @@ struct MarhefkaOrin {
   double e = 1.0;                  // 0 <= e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<MarhefkaOrin> fields[] = {{"restitution", "", &MarhefkaOrin::e}};
+
   /// X, that is chi v_i
   double damping() const {
     const double a = 1.0 - e;  // alpha v_i

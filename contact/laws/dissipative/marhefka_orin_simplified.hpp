@@ -20,6 +20,9 @@ struct MarhefkaOrinSimplified {
   double e = 1.0;                  // 1/3 < e <= 1
   double slowest_approach = 1e-3;  // [m/s], > 0
 
+  static constexpr LawField<MarhefkaOrinSimplified> fields[] = {
+      {"restitution", "", &MarhefkaOrinSimplified::e}};
+
   /// X, that is chi v_i
   double damping() const { return 1.5 * (1.0 - e) * (1.0 + e) / (3.0 * e - 1.0); }
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {

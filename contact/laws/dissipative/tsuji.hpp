@@ -25,6 +25,8 @@ struct Tsuji {
   double e = 1.0;  // least_restitution <= e <= 1
   TensilePhase tensile = TensilePhase::keep;
 
+  static constexpr LawField<Tsuji> fields[] = {{"restitution", "", &Tsuji::e}};
+
   ContactOutput operator()(const ContactInput& in, const ElasticLaw& elastic) const {
     return damped_by_stored_energy(in, elastic.response(in.penetration), damping_ratio(e));
   }

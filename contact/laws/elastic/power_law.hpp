@@ -18,6 +18,9 @@ struct PowerLaw {
   double n = 1.0;                   // >= 1: below, the stiffness at first touch would be infinite
   std::string label = "power-law";  // what results and errors call it
 
+  static constexpr LawField<PowerLaw> fields[] = {{"stiffness", "N/m^n", &PowerLaw::K}};
+  PowerLaw with_fields(const double* values) const { return {values[0], n}; }
+
   ElasticResponse operator()(double penetration) const {
     const double secant = K * std::pow(penetration, n - 1.0);
     const double force = secant * penetration;

@@ -16,11 +16,7 @@ namespace yoke {
 
 /// A parameter of a law, as `yoke run --friction` takes it.
 template <class Law>
-struct FrictionField {
-  const char* name;    // as "mu"
-  const char* unit;    // "" for a number without one
-  double Law::*value;  // where it is stored
-};
+using FrictionField = LawField<Law>;
 
 /// A coefficient of friction and its derivative by the sliding velocity.
 struct FrictionCoefficient {

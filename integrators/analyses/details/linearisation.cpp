@@ -134,6 +134,11 @@ Linearisation linearise_sparse(Dynamics& dynamics, const State& state,
   const System& system = dynamics.system();
   Linearisation l;
   l.state = state;
+  if (const std::string sliding = follows_reactions(dynamics.system(), state); !sliding.empty())
+    throw ModelError(fmt::format(
+        "linearisation: '{}' slides at this state, and its friction follows the reactions it makes; "
+        "linearise about a state at rest",
+        sliding));
   Tangent tangent = calc_tangent(dynamics.system(), l.state, share);
   l.mass = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), system.dofs());
   const std::vector<double> metric = metric_of_masses(system);

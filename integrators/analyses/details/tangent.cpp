@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/details/tangent.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include <yoke/core/equations/index.hpp>
@@ -69,9 +70,27 @@ void add_force(const System& system, const ForceSlot& f, double share, ForceEntr
 
 }  // namespace
 
+std::string follows_reactions(System& system, const State& state) {
+  system.bind(state);
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  system.set_multipliers(state.lambda.data());
+  std::string found;
+  for (const std::size_t i : system.loaded()) {
+    const ForceSlot& f = system.forces()[i];
+    std::vector<double> Q(at(f.columns)), slope(at(f.columns * f.load_rows));
+    f.element->evaluate(system.force_input(f), {.Q = Q.data(), .dQ_dlambda = slope.data()});
+    if (std::ranges::any_of(slope, [](double x) { return x != 0.0; })) found = f.element->name();
+  }
+  system.set_multipliers(nullptr);
+  return found;
+}
+
 Tangent calc_tangent(System& system, const State& state, std::span<const double> share) {
   system.bind(state);
   system.set_motion(state.t, state.q.data(), state.v.data());
+  std::vector<double> lambda(state.lambda.begin(), state.lambda.end());
+  for (const int row : system.dropped_rows()) lambda[at(row)] = 0.0;
+  system.set_multipliers(lambda.data());
   const int n = system.dofs(), nz = system.states();
   ForceEntries force;
   for (std::size_t i = 0; i < system.forces().size(); ++i) {
@@ -80,15 +99,13 @@ Tangent calc_tangent(System& system, const State& state, std::span<const double>
     if (!depends.position && !depends.velocity && f.states == 0) continue;
     add_force(system, f, share.empty() ? 1.0 : share[i], force);
   }
+  system.set_multipliers(nullptr);
   Entries K, G, H;
-  std::vector<double> lambda(state.lambda.begin(), state.lambda.end());
-  for (const int row : system.dropped_rows()) lambda[at(row)] = 0.0;
   for (const ConstraintSlot& c : system.constraints()) {
     const std::size_t k = at(c.columns), rows = at(c.rows);
     std::vector<double> g(rows * k), h(rows * k), stiffness(k * k);
-    c.element->evaluate(
-        system.motion(),
-        {.G = g.data(), .H = h.data(), .K = stiffness.data(), .lambda = lambda.data() + c.row});
+    system.evaluate(
+        c, {.G = g.data(), .H = h.data(), .K = stiffness.data(), .lambda = lambda.data() + c.row});
     const std::span<const int> dofs = system.dof().subspan(at(c.dofs), k);
     std::vector<int> equations = range(c.row, c.rows);
     for (int& equation : equations)

@@ -7,8 +7,8 @@
 //
 //        q                              v                       z         lambda
 //   R_q  c I                            -I                      .         .
-//   R_v  K(lambda) - Q_q                c M - Q_v               -Q_z      G^T
-//   R_z  -f_q                           -f_v                    c I - f_z .
+//   R_v  K(lambda) - Q_q                c M - Q_v               -Q_z      G^T - Q_l
+//   R_z  -f_q                           -f_v                    c I - f_z -f_l
 //   R_l  H(a) + 2 alpha H + beta^2 G    (c + 2 alpha) G + 2 H   .         .
 //
 // R_l is G v' - gamma + 2 alpha (G v + Phi_t) + beta^2 Phi. What is left out is the change of the

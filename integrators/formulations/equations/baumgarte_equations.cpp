@@ -21,9 +21,8 @@ BaumgarteEquations::BaumgarteEquations(System& system, const Baumgarte& stabilis
 
 void BaumgarteEquations::calc_constraint_residual(const double* v_dot, double* r_l) {
   for (const ConstraintSlot& c : system_.constraints())
-    c.element->evaluate(
-        system_.motion(),
-        {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = r_l + c.row});
+    system_.evaluate(
+        c, {.phi = phi_.data() + c.row, .G = system_.G() + c.block, .gamma = r_l + c.row});
   system_.calc_velocity_residual(phi_dot_.data());
   const auto [alpha, beta] = stabilisation_;
   for (std::size_t i = 0; i < phi_.size(); ++i)
@@ -40,6 +39,7 @@ bool BaumgarteEquations::calc_residual(double t, const double* y, const double* 
   double* r_v = residual + v();
   double* r_z = residual + z();
   std::ranges::fill(force_, 0.0);
+  system_.set_multipliers(lambda_.kept(y + lambda()));
   system_.add_forces(force_.data(), r_z, nullptr);
   system_.subtract_constraint_forces(lambda_.kept(y + lambda()), force_.data());
   double sum = 0.0;

@@ -27,16 +27,28 @@ MatrixLayout GglEquations::layout() const {
   enum Factor { plus, minus, shift };  // the factors handed over in calc_jacobian()
   const int q = 0, r_q = 0, r_v = v(), r_z = z(), r_p = lambda(), r_w = mu();
   return {.size = size_,
-          .placements = {{Block::mass, r_q, q, shift},      {Block::mass, r_q, v(), minus},
-                         {Block::K_mu, r_q, q, plus},       {Block::G_T, r_q, mu(), plus},
-                         {Block::K_lambda, r_v, q, plus},   {Block::Q_q, r_v, q, minus},
-                         {Block::mass, r_v, v(), shift},    {Block::Q_v, r_v, v(), minus},
-                         {Block::Q_z, r_v, z(), minus},     {Block::G_T, r_v, lambda(), plus},
-                         {Block::z_q, r_z, q, minus},       {Block::z_v, r_z, v(), minus},
-                         {Block::states, r_z, z(), shift},  {Block::z_z, r_z, z(), minus},
-                         {Block::G_position, r_p, q, plus}, {Block::dropped, r_p, lambda(), plus},
-                         {Block::hold, r_p, mu(), plus},    {Block::H, r_w, q, plus},
-                         {Block::G, r_w, v(), plus},        {Block::dropped, r_w, mu(), plus},
+          .placements = {{Block::mass, r_q, q, shift},
+                         {Block::mass, r_q, v(), minus},
+                         {Block::K_mu, r_q, q, plus},
+                         {Block::G_T, r_q, mu(), plus},
+                         {Block::K_lambda, r_v, q, plus},
+                         {Block::Q_q, r_v, q, minus},
+                         {Block::mass, r_v, v(), shift},
+                         {Block::Q_v, r_v, v(), minus},
+                         {Block::Q_z, r_v, z(), minus},
+                         {Block::G_T, r_v, lambda(), plus},
+                         {Block::z_q, r_z, q, minus},
+                         {Block::z_v, r_z, v(), minus},
+                         {Block::states, r_z, z(), shift},
+                         {Block::z_z, r_z, z(), minus},
+                         {Block::G_position, r_p, q, plus},
+                         {Block::dropped, r_p, lambda(), plus},
+                         {Block::Q_lambda, r_v, lambda(), minus},
+                         {Block::z_lambda, r_z, lambda(), minus},
+                         {Block::hold, r_p, mu(), plus},
+                         {Block::H, r_w, q, plus},
+                         {Block::G, r_w, v(), plus},
+                         {Block::dropped, r_w, mu(), plus},
                          {Block::open, r_w, lambda(), plus}},
           .rows = {{Unit::force, r_q, 1},
                    {Unit::force, r_v, 2},
@@ -61,6 +73,7 @@ bool GglEquations::calc_residual(double t, const double* y, const double* y_dot,
   double* r_z = residual + z();
   double* force = force_.data();
   std::ranges::fill(force_, 0.0);
+  system_.set_multipliers(lambda_.kept(y + lambda()));
   system_.add_forces(force, r_z, nullptr);
   system_.subtract_constraint_forces(lambda_.kept(y + lambda()), force);
   double* stabilisation = stabilisation_.data();

@@ -13,8 +13,8 @@
 //
 //        q                   v              z           lambda  mu
 //   R_q  c M + K(mu)         -M             .           .       G^T
-//   R_v  K(lambda) - Q_q     c M - Q_v      -Q_z        G^T     .
-//   R_z  -f_q                -f_v           c I - f_z   .       .
+//   R_v  K(lambda) - Q_q     c M - Q_v      -Q_z        G^T-Q_l .
+//   R_z  -f_q                -f_v           c I - f_z   -f_l    .
 //   R_p  G                   .              .           .       .
 //   R_w  H                   G              .           .       .
 //

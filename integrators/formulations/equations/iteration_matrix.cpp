@@ -19,7 +19,7 @@ bool is_of_force(Block b) { return b >= Block::Q_q; }
 // An element without derivatives is not asked for any.
 bool has_derivatives(const ForceSlot& f) {
   const Dependence depends = f.element->dependence();
-  return depends.position || depends.velocity || f.states > 0;
+  return depends.position || depends.velocity || f.states > 0 || f.load_rows > 0;
 }
 
 // K couples two coordinates only if one equation depends on both.
@@ -56,7 +56,7 @@ void IterationMatrix::build_pattern(const MatrixLayout& layout) {
   for (const ForceSlot& f : system_.forces()) {
     for (const Placement& p : layout.placements)
       if (is_of_force(p.block)) place_force(pattern, f, p);
-    close(Block::Q_q, Block::z_z);
+    close(Block::Q_q, Block::z_lambda);
   }
   std::vector<int> slot;
   matrix_ = pattern.compile(slot);
@@ -111,17 +111,24 @@ void IterationMatrix::place_force(PatternBuilder& pattern, const ForceSlot& f, c
   const Dependence depends = f.element->dependence();
   if (p.block == Block::Q_q && !depends.position) return;
   if (p.block == Block::Q_v && !depends.velocity) return;
-  const bool rows_are_states = p.block >= Block::z_q;
-  const bool columns_are_states = p.block == Block::Q_z || p.block == Block::z_z;
-  const int rows = rows_are_states ? f.states : f.columns;
-  const int columns = columns_are_states ? f.states : f.columns;
-  const auto place = [&](bool is_state, int i) {  // -1: the ground
-    return is_state ? f.z + i : system_.dof()[at(f.dofs + i)];
+  enum Kind { coordinates, states, multipliers };
+  const Kind across = p.block >= Block::z_q ? states : coordinates;
+  const bool by_states = p.block == Block::Q_z || p.block == Block::z_z;
+  const bool by_load = p.block == Block::Q_lambda || p.block == Block::z_lambda;
+  const Kind along = by_states ? states : by_load ? multipliers : coordinates;
+  const auto count = [&](Kind kind) {
+    return kind == states ? f.states : kind == multipliers ? f.load_rows : f.columns;
   };
+  const auto place = [&](Kind kind, int i) {  // -1: the ground, or left out
+    if (kind == states) return f.z + i;
+    if (kind == coordinates) return system_.dof()[at(f.dofs + i)];
+    return system_.is_left_out(f.load + i) ? -1 : f.load + i;
+  };
+  const int rows = count(across), columns = count(along);
   for (int i = 0; i < rows; ++i) {
-    const int row = place(rows_are_states, i);
+    const int row = place(across, i);
     for (int j = 0; j < columns; ++j) {
-      const int column = place(columns_are_states, j);
+      const int column = place(along, j);
       if (row < 0 || column < 0) continue;
       stamps(p.block).list.push_back(
           {i * columns + j, pattern.add(p.row + row, p.column + column), p.factor});
@@ -140,8 +147,8 @@ void IterationMatrix::size_scratch() {
   std::size_t scratch = 0;
   for (const ForceSlot& f : system_.forces()) {
     if (!has_derivatives(f)) continue;
-    const std::size_t k = at(f.columns), z = at(f.states);
-    scratch = std::max(scratch, 2 * k * k + 3 * k * z + z * z + k + z);
+    const std::size_t k = at(f.columns), z = at(f.states), m = at(f.load_rows);
+    scratch = std::max(scratch, 2 * k * k + 3 * k * z + z * z + k + z + (k + z) * m);
   }
   scratch_.assign(scratch, 0.0);
 }
@@ -153,6 +160,7 @@ void IterationMatrix::evaluate(const Point& at, std::span<const double> factors)
   if (uses(Block::H_second)) add_second_velocity(at);
   system_.set_motion(at.t, at.q, at.v);
   system_.set_states(at.z);
+  system_.set_multipliers(at.lambda);
   for (std::size_t i = 0; i < system_.constraints().size(); ++i) add_constraint(i, at);
   for (std::size_t i = 0; i < system_.forces().size(); ++i) add_force(i);
 }
@@ -189,7 +197,7 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
     out.K = K_.data();
     out.lambda = at.lambda + c.row;
   }
-  c.element->evaluate(system_.motion(), out);
+  system_.evaluate(c, out);
   add(Block::G, i, system_.G());
   add(Block::G_position, i, system_.G());
   add(Block::G_T, i, system_.G());
@@ -198,7 +206,7 @@ void IterationMatrix::add_constraint(std::size_t i, const Point& at) {
   add(Block::K_lambda, i, K_.data());
   if (!uses(Block::K_mu)) return;
   clear();
-  c.element->evaluate(system_.motion(), {.K = K_.data(), .lambda = at.mu + c.row});
+  system_.evaluate(c, {.K = K_.data(), .lambda = at.mu + c.row});
   add(Block::K_mu, i, K_.data());
 }
 
@@ -206,7 +214,7 @@ void IterationMatrix::add_second_velocity(const Point& at) {
   system_.set_motion(at.t, at.q, at.v_second);
   for (std::size_t i = 0; i < system_.constraints().size(); ++i) {
     const ConstraintSlot& c = system_.constraints()[i];
-    c.element->evaluate(system_.motion(), {.H = H_.data() + c.block});
+    system_.evaluate(c, {.H = H_.data() + c.block});
     add(Block::H_second, i, H_.data());
   }
 }
@@ -214,7 +222,7 @@ void IterationMatrix::add_second_velocity(const Point& at) {
 void IterationMatrix::add_force(std::size_t i) {
   const ForceSlot& f = system_.forces()[i];
   if (!has_derivatives(f)) return;
-  const int k = f.columns, nz = f.states;
+  const int k = f.columns, nz = f.states, loads = f.load_rows;
   double* next = scratch_.data();
   const auto block = [&](int size) {
     double* p = next;
@@ -232,11 +240,15 @@ void IterationMatrix::add_force(std::size_t i) {
     out.dz_dv = block(nz * k);
     out.dz_dz = block(nz * nz);
   }
+  if (loads > 0) out.dQ_dlambda = block(k * loads);
+  if (loads > 0 && nz > 0) out.dz_dlambda = block(nz * loads);
   std::fill(scratch_.data(), next, 0.0);
   f.element->evaluate(system_.force_input(f), out);
   add(Block::Q_q, i, out.dQ_dq);
   add(Block::Q_v, i, out.dQ_dv);
+  if (loads > 0) add(Block::Q_lambda, i, out.dQ_dlambda);
   if (nz == 0) return;
+  if (loads > 0) add(Block::z_lambda, i, out.dz_dlambda);
   add(Block::Q_z, i, out.dQ_dz);
   add(Block::z_q, i, out.dz_dq);
   add(Block::z_v, i, out.dz_dv);

@@ -43,11 +43,13 @@ enum class Block {
   Q_q,          // n x n, dQ/dq
   Q_v,          // n x n
   Q_z,          // n x nz
+  Q_lambda,     // n x m, of forces that depend on reactions
   z_q,          // nz x n, dz'/dq
   z_v,          // nz x n
   z_z,          // nz x nz
+  z_lambda,     // nz x m
 };
-inline constexpr std::size_t block_count = static_cast<std::size_t>(Block::z_z) + 1;
+inline constexpr std::size_t block_count = static_cast<std::size_t>(Block::z_lambda) + 1;
 
 /// matrix[row .., column ..] += factors[factor] * block, with the factors of each evaluation.
 struct Placement {

@@ -77,6 +77,7 @@ Rate fastest_rate(Dynamics& dynamics, const State& given) {
   if (system.has_massless() && !dynamics.calc_accelerations(state)) return {};
   system.bind(given);
   system.set_motion(state.t, state.q.data(), state.v.data());
+  system.set_multipliers(given.lambda.data());
   std::vector<double> scratch;
   Rate fastest;
   for (const ForceSlot& f : system.forces()) {
@@ -84,6 +85,7 @@ Rate fastest_rate(Dynamics& dynamics, const State& given) {
     const double rate = rate_of(dynamics, f, scratch);
     if (rate > fastest.value) fastest = {rate, f.element->name()};
   }
+  system.set_multipliers(nullptr);
   return fastest;
 }
 

@@ -108,7 +108,7 @@ Travel travel_of_drivers(System& system, const State& state, double until) {
       const double t = state.t + (until - state.t) * i / probes;
       system.set_motion(t, state.q.data(), state.v.data());
       try {
-        c.element->evaluate(system.motion(), {.phi = now.data()});
+        system.evaluate(c, {.phi = now.data()});
       } catch (const std::exception&) {  // a user's function; the run will tell if it gets there
         break;
       }

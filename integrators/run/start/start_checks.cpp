@@ -119,7 +119,7 @@ bool rate_fits(System& system, const ConstraintSlot& c, const State& state, doub
   std::vector<double> before(rows), after(rows), rate(rows), G(rows * columns), coordinates(rows);
   const auto evaluate = [&](double time, const ConstraintRequest& out) {
     system.set_motion(time, state.q.data(), state.v.data());
-    c.element->evaluate(system.motion(), out);
+    system.evaluate(c, out);
   };
   const auto fits = [&](double h) {
     evaluate(t - h, {.phi = before.data()});

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/control/sampled_controller.hpp>
-#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>

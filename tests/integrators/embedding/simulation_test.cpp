@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_torque.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>

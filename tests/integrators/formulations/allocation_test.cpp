@@ -13,10 +13,16 @@
 #include <cmath>
 #include <string>
 
+#include <yoke/contact/disc_on_curve.hpp>
+#include <yoke/contact/laws/dissipative/exact_restitution.hpp>
+#include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/core/control/sampled_controller.hpp>
+#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/revolute.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 #include <yoke/tests/integrators/relaxing_spring.hpp>
 
@@ -102,6 +108,25 @@ TEST_CASE("a pendulum that turns through all poses allocates only for fresh fact
   }
 }
 
+TEST_CASE("friction of joints, in the equations and between its events, allocates nothing") {
+  for (const std::string formulation :
+       {"arkode-projection", "ida-ggl", "cvode-projection", "generalised-alpha"}) {
+    INFO(formulation);
+    const PinFriction pin{.law = RegularisedCoulomb{.mu = 0.2, .threshold = 0.1}, .radius = 0.02};
+    Model model;
+    const BodyId upper =
+        model.add(Body{.name = "upper", .mass = 1.0, .inertia = 0.1, .pose = {{0.5, 0.0}, 0.0}});
+    const BodyId lower =
+        model.add(Body{.name = "lower", .mass = 1.0, .inertia = 0.1, .pose = {{1.5, 0.0}, 0.0}});
+    model.add(Revolute{.name = "pivot", .a = ground, .b = upper, .friction = pin});
+    model.add(Revolute{.name = "elbow", .a = upper, .b = lower, .at = {1.0, 0.0}, .friction = pin});
+    model.add(Gravity{});
+    const Count c = count(model, {.until = 1.0, .formulation = formulation});
+    CHECK(c.steps > 50);
+    CHECK(c.allocations <= 16 * c.fresh);
+  }
+}
+
 TEST_CASE("stops of an embedded run, its controllers' samples and inputs allocate nothing") {
   for (const std::string formulation :
        {"arkode-projection", "ida-ggl", "adams-baumgarte", "generalised-alpha"}) {
@@ -123,6 +148,35 @@ TEST_CASE("stops of an embedded run, its controllers' samples and inputs allocat
     CHECK(allocations.load() - before == 0);
     REQUIRE_FALSE(run.ended());
     CHECK(run.get("computer.samples") > 400.0);
+  }
+}
+
+TEST_CASE("changeable laws, and motors that a controller sets, allocate nothing") {
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
+    INFO(formulation);
+    Model model;
+    const BodyId disc =
+        model.add(Body{.name = "disc", .mass = 1.0, .inertia = 0.01, .pose = {{0.0, 0.15}, 0.0}});
+    const BodyId crank = model.add(Body{.name = "crank", .mass = 1.0, .inertia = 0.1});
+    model.add(Gravity{});
+    model.add(DiscOnCurve{
+        .name = "floor",
+        .disc = {.body = disc, .at = {0.0, 0.15}, .radius = 0.1},
+        .body = ground,
+        .curve = straight_line({-1.0, 0.0}, {1.0, 0.0}),
+        .law = ContactLaw{changeable(per_mm(49070, 1.1)), changeable(ExactRestitution{0.8})}});
+    model.add(Revolute{.name = "axle", .a = ground, .b = crank});
+    model.add(AngleDriver{.name = "motor", .body = crank, .speed = 1.0});
+    model.add(SampledController{.name = "plc",
+                                .period = 0.01,
+                                .outputs = {"motor.speed", "motor.acceleration"},
+                                .update = [](const ControllerSample& s) {
+                                  s.output(0) += s.number % 2 == 0 ? 0.5 : -0.5;
+                                  s.output(1) = 0.1 * s.motion.t;
+                                }});
+    const Count c = count(model, {.until = 0.5, .formulation = formulation, .samples = 101});
+    CHECK(c.steps > 300);
+    CHECK(c.allocations == 0);
   }
 }
 

@@ -10,10 +10,14 @@
 #include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/contact/laws/friction/coulomb.hpp>
+#include <yoke/contact/laws/friction/lugre.hpp>
+#include <yoke/contact/laws/friction/stribeck.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/integrators/formulations/equations/baumgarte_equations.hpp>
 #include <yoke/integrators/formulations/equations/ggl_equations.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
+#include <yoke/joints/prismatic.hpp>
+#include <yoke/joints/revolute.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 #include <yoke/tests/integrators/relaxing_spring.hpp>
 
@@ -155,6 +159,35 @@ TEST_CASE(
   state.contacts[0] = {};
   check_ggl(model, state);
   check_baumgarte(model, state);
+}
+
+TEST_CASE("iteration matrices are the derivatives of the residuals: friction of joints") {
+  const GuideFriction guide{.law = Coulomb{0.3, 0.4}, .length = 0.2, .preload = 1.0};
+  const LuGre lugre{.mu = 0.3, .mu_static = 0.4, .stiffness = 200.0};
+  for (const FrictionLaw& law :
+       {FrictionLaw(Stribeck{.mu = 0.3, .mu_static = 0.4}), FrictionLaw(lugre)}) {
+    Model model;
+    const BodyId crank =
+        model.add(Body{.name = "crank", .mass = 0.9, .inertia = 0.02, .pose = {{0.1, 0.2}, 0.3}});
+    const BodyId block =
+        model.add(Body{.name = "block", .mass = 0.5, .inertia = 0.01, .pose = {{0.4, 0.1}, -0.2}});
+    model.add(Revolute{.name = "pivot",
+                       .a = ground,
+                       .b = crank,
+                       .friction = PinFriction{.law = law, .radius = 0.07}});
+    model.add(
+        Prismatic{.name = "slide", .a = crank, .b = block, .along = {0.9, 0.2}, .friction = guide});
+    State state = model.start_state();
+    state.v << 0.3, -0.01, 2.0, 0.2, 0.1, -0.3;
+    for (const Grip grip : {Grip::held, Grip::carried, Grip::forward, Grip::backward}) {
+      INFO(law.name(), static_cast<int>(grip));
+      state.contacts[0].grip = grip;
+      check_ggl(model, state);
+      check_ggl(model, state, {3});
+      // Bristles have a corner where nothing slides.
+      if (!law.has_state()) check_baumgarte(model, state);
+    }
+  }
 }
 
 TEST_CASE("equations that the system has dropped leave the matrices exact and regular") {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include <yoke/cases/n_four_bar.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/error.hpp>
-#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>

@@ -9,7 +9,7 @@
 #include <string>
 
 #include <yoke/core/authoring/auto_force.hpp>
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/integrators/analyses/verify.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>

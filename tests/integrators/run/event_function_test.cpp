@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/control/event_function.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/integrators/simulate.hpp>
 #include <yoke/joints/forces/translational_spring.hpp>

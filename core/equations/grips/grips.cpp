@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/core/equations/grips.hpp>
+#include <yoke/core/equations/grips/grips.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,14 +12,14 @@ namespace yoke {
 
 namespace {
 
-constexpr double at_limit = 1e-12;  // of the holding force: no more is kept for rounding
-constexpr double immobile = 1e-10;  // of the mobility of the bodies without constraints
+constexpr double at_limit = 1e-12;     // of the holding force: no more is kept for rounding
+constexpr double same_instant = 1e-9;  // of the holding force
+constexpr double immobile = 1e-10;     // of the mobility of the bodies without constraints
 // The same with other friction at rest. Two feet of one body are not quite at one height where they
 // penetrate differently: their rows tell that difference from zero, their friction does not.
 constexpr double hardly_mobile = 1e-6;
 constexpr double no_acceleration = 1e-9;      // of its terms
 constexpr double next_to_no_friction = 1e-6;  // of the holding force
-constexpr double least_limit = 1e-6;  // of the largest: a smaller holding force counts as this
 
 /// The row of one hold at the motion set, whether it holds or not.
 struct Row {
@@ -66,6 +65,7 @@ class Settlement {
       : dynamics_(dynamics), system_(dynamics.system()), state_(state) {
     set_motion();
     for (const ConstraintSlot& hold : system_.holds()) consider(hold, before);
+    if (std::ranges::any_of(candidates_, &Candidate::broke)) break_with_it(before);
   }
 
   Outcome settle() {
@@ -109,10 +109,29 @@ class Settlement {
       c.direction = grip == Grip::forward ? 1.0 : -1.0;
       const Sum speed = sliding_speed(system_, f, c.row, state_.v);
       const double slowest = 2.0 * slowest_sliding(system_.scales(), speed.size);
-      if (std::abs(speed.value) > slowest) return;  // it slides
+      if (c.direction * speed.value > slowest) return;  // it slides
       c.rests = !c.broke;
     }
     candidates_.push_back(std::move(c));
+  }
+
+  /// What was at its limit at the same instant breaks too: what a break leaves to others is a matter of
+  /// how they share, of which nothing is known for certain.
+  void break_with_it(std::span<const ContactMemory> before) {
+    const auto earlier = [&](const Candidate& c) { return before[at(c.f->contacts)].grip; };
+    for (Candidate& c : candidates_)
+      if (rests(earlier(c))) c.memory->grip = earlier(c);
+    if (!dynamics_.calc_accelerations(state_)) return;
+    dynamics_.share_hold_forces(state_.lambda.data());
+    for (Candidate& c : candidates_) {
+      const Grip grip = earlier(c);
+      if (grip != Grip::held && grip != Grip::carried) continue;
+      const ForceInput in = system_.force_input(*c.f);
+      if (std::abs(*in.hold) < c.f->element->holding_force(in) * (1.0 - same_instant)) continue;
+      c.rests = false;
+      c.broke = true;
+      c.direction = *in.hold < 0.0 ? -1.0 : 1.0;
+    }
   }
 
   /// Accelerations and friction forces if the candidates do what they are thought to do.
@@ -129,10 +148,21 @@ class Settlement {
       if (!c.rests || c.guided) continue;
       if (!(dynamics_.mobility(*c.f, c.row.s.data(), c.alone) > hardly_mobile * c.alone)) continue;
       c.memory->grip = Grip::held;
-      if (!dynamics_.calc_accelerations(state_)) return false;
+      if (!dynamics_.calc_accelerations(state_) && !let_slide(c)) return false;
     }
     dynamics_.share_hold_forces(state_.lambda.data());
     return true;
+  }
+
+  /// No reactions let it rest: it slides the way it would be accelerated without friction.
+  bool let_slide(Candidate& c) {
+    c.memory->grip = Grip::carried;
+    if (!dynamics_.calc_accelerations(state_)) return false;
+    c.rests = false;
+    c.broke = true;
+    c.direction = acceleration(c).value < 0.0 ? -1.0 : 1.0;
+    c.memory->grip = c.direction > 0.0 ? Grip::forward : Grip::backward;
+    return dynamics_.calc_accelerations(state_);
   }
 
   /// Changes the worst, or the first, of what is not as it was thought to be. False: all is.
@@ -229,80 +259,6 @@ bool let_go_of_grips(Dynamics& dynamics, State& state) {
     state.contacts[at(f->contacts)].grip = speed.value > 0.0 ? Grip::forward : Grip::backward;
   }
   return true;
-}
-
-bool Dynamics::calc_events(const Instant& instant, double* g) {
-  if (system_.any_grip()) {
-    a_there_.resize(system_.dofs());
-    lambda_there_.resize(system_.rows());
-    if (!calc_accelerations(instant, {.a = a_there_.data(), .lambda = lambda_there_.data()}))
-      return false;
-    share_hold_forces(lambda_there_.data());
-  } else {
-    system_.set_motion(instant.t, instant.q, instant.v);
-    system_.set_states(instant.z);
-  }
-  system_.calc_events(g);
-  return true;
-}
-
-// A force of 1 N at a carried row makes no acceleration, only other multipliers: rho. With the forces x
-// of the carried rows, those of the held ones are T + rho x; the sum of T^2/limit shall be least, which
-// among parallel rows makes all use the same part of their limits.
-void Dynamics::share_hold_forces(const double* lambda) {
-  const auto holds = system_.holds();
-  const auto grip = [&](std::size_t i) { return system_.grip_memory(holds[i]).grip; };
-  hold_forces_.assign(holds.size(), 0.0);
-  held_.clear();
-  carried_.clear();
-  for (std::size_t i = 0; i < holds.size(); ++i) {
-    if (grip(i) == Grip::carried) carried_.push_back(i);
-    if (grip(i) != Grip::held) continue;
-    held_.push_back(i);
-    hold_forces_[i] = lambda[holds[i].row];
-  }
-  if (!carried_.empty()) share_with_carried();
-  system_.set_hold_forces(hold_forces_.data());
-}
-
-void Dynamics::share_with_carried() {
-  const auto slot = [&](std::size_t hold) -> const ForceSlot& {
-    return system_.forces()[at(system_.holds()[hold].hold)];
-  };
-  const auto count = [](const auto& list) { return static_cast<Eigen::Index>(list.size()); };
-  const Eigen::Index rows = count(held_) + count(carried_);
-  Eigen::MatrixXd rho = Eigen::MatrixXd::Zero(rows, count(carried_));
-  Eigen::VectorXd T = Eigen::VectorXd::Zero(rows), limit = T;
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const bool is_held = i < count(held_);
-    const std::size_t hold = is_held ? held_[static_cast<std::size_t>(i)]
-                                     : carried_[static_cast<std::size_t>(i - count(held_))];
-    T[i] = hold_forces_[hold];
-    limit[i] = slot(hold).element->holding_force(system_.force_input(slot(hold)));
-    if (is_held) continue;
-    const Row row = row_of(system_, slot(hold));
-    std::fill(b_.begin(), b_.end(), 0.0);
-    for (int j = 0; j < slot(hold).columns; ++j)
-      if (const int dof = system_.dof()[at(slot(hold).dofs + j)]; dof >= 0)
-        b_[at(dof)] -= row.s[at(j)];
-    lu_->solve(b_.data());
-    const Eigen::Index column = i - count(held_);
-    for (Eigen::Index k = 0; k < count(held_); ++k)
-      rho(k, column) =
-          b_[at(system_.dofs() + system_.holds()[held_[static_cast<std::size_t>(k)]].row)];
-    rho(i, column) = 1.0;
-  }
-  // What can bear next to nothing has little weight, not none: it would drown the others.
-  const double floor = least_limit * std::max(limit.maxCoeff(), std::numeric_limits<double>::min());
-  const Eigen::VectorXd weight =
-      (limit.cwiseMax(floor) / std::max(limit.maxCoeff(), floor)).cwiseInverse().cwiseSqrt();
-  const Eigen::MatrixXd A = weight.asDiagonal() * rho;
-  const Eigen::VectorXd x = A.householderQr().solve(-(weight.asDiagonal() * T));
-  if (!x.allFinite()) return;
-  T += rho * x;
-  for (Eigen::Index i = 0; i < rows; ++i)
-    hold_forces_[i < count(held_) ? held_[static_cast<std::size_t>(i)]
-                                  : carried_[static_cast<std::size_t>(i - count(held_))]] = T[i];
 }
 
 }  // namespace yoke

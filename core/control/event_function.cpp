@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/core/event_function.hpp>
+#include <yoke/core/control/event_function.hpp>
 
 #include <yoke/core/error.hpp>
 
