@@ -19,16 +19,18 @@ namespace yoke {
 /// A number of a law. What values it may have, the law's check() says.
 template <class Law>
 struct LawField {
-  const char* name;
-  const char* unit;  // "" for a number without one
-  double Law::*value;
+  const char* name;    // as "stiffness"
+  const char* unit;    // "" for a number without one
+  double Law::*value;  // where the law keeps it
 };
 
 /// A law and, for given values of its fields, the same law with these.
 template <class Law>
 struct Changeable : Law {
+  /// Of a law that lists its `fields`.
   explicit Changeable(Law law) : Law(std::move(law)) {}
 
+  /// The fields with their values at the start.
   std::vector<Parameter> parameters() const {
     std::vector<Parameter> all;
     for (const LawField<Law>& field : Law::fields)
@@ -55,6 +57,7 @@ Changeable<Law> changeable(Law law) {
   return Changeable<Law>(std::move(law));
 }
 
+/// A law whose numbers may be changed during a run.
 template <class F>
 concept ChangeableLaw = requires(const F& law, const double* values) {
   law.with(values);

@@ -43,9 +43,10 @@ concept ElementDescription = requires(const D& d, const Model& m) {
 
 /// A changeable parameter and the element it belongs to.
 struct OwnedParameter {
-  Parameter parameter;
-  std::string element;
+  Parameter parameter;         // its name is without that of the element
+  std::string element;         // its name
   bool of_constraint = false;  // of a driver: it changes a motion
+  /// "element.parameter".
   std::string name() const { return element + "." + parameter.name; }
 };
 
@@ -101,6 +102,7 @@ class Model {
   const std::vector<OwnedParameter>& parameters() const { return parameters_; }
   /// Of constraint or force number i: the index of its first parameter.
   std::size_t first_parameter_of_constraint(std::size_t i) const { return of_constraints_.at(i); }
+  /// The same of a force.
   std::size_t first_parameter_of_force(std::size_t i) const { return of_forces_.at(i); }
   /// Writes `values`, a State::parameters, in the form they have at t [s], of the same motion.
   void update_parameters(double t, std::vector<double>& values) const;

@@ -12,11 +12,11 @@ namespace yoke {
 /// A number that may be changed from run to run without building the model again. It lives in the
 /// State under "element.name".
 struct Parameter {
-  std::string name;
-  std::string unit;
-  double value = 0.0;
+  std::string name;                                       // as "stiffness"
+  std::string unit;                                       // as "N/m"
+  double value = 0.0;                                     // default, in the unit
   double low = -std::numeric_limits<double>::infinity();  // least and greatest value accepted
-  double high = std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();  // greatest value accepted
   bool own = false;   // kept by the element; read, but not set by others
   bool load = false;  // changes neither stiffness, damping nor stored energy
 };

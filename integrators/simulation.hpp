@@ -39,6 +39,7 @@ struct Snapshot {
 /// A snapshot as bytes, every bit of it, and back: for files and other programs, of this version. Throws
 /// ModelError for other bytes.
 std::vector<std::uint8_t> to_bytes(const Snapshot& snapshot);
+/// Of this version. Throws ModelError for other bytes.
 Snapshot snapshot_from_bytes(std::span<const std::uint8_t> bytes);
 
 class Simulation {

@@ -103,6 +103,7 @@ class ElasticLaw {
     return law;
   }
   std::size_t fields() const { return fields_; }  ///< how many changeable numbers
+  /// Whether both are copies of one law.
   bool is_same(const ElasticLaw& other) const { return function_ == other.function_; }
 
   double limit() const { return limit_; }  ///< [m], infinite if the law has none
@@ -289,6 +290,7 @@ class DissipativeLaw {
     return law;
   }
   std::size_t fields() const { return fields_; }  ///< how many changeable numbers
+  /// Whether both are copies of one law.
   bool is_same(const DissipativeLaw& other) const { return function_ == other.function_; }
   std::string name() const { return function_ ? function_->name() : "none"; }
 
@@ -411,6 +413,7 @@ struct ContactLaw {
   void check(const double* values) const;
   /// The law with these numbers, while `this` and they exist; costs no allocation.
   ContactLaw bound(const double* values) const;
+  /// Whether all parts are copies of the same.
   bool is_same(const ContactLaw& other) const {
     return elastic.is_same(other.elastic) && dissipation.is_same(other.dissipation) &&
            friction.is_same(other.friction);
@@ -420,6 +423,7 @@ struct ContactLaw {
 /// A law, or the law with the numbers it has now. Valid while `law` and the numbers exist.
 class BoundLaw {
  public:
+  /// `values` as parameters() lists them; null: the law as it is.
   BoundLaw(const ContactLaw& law, const double* values) : law_(&law) {
     if (values == nullptr) return;
     bound_.emplace(law.bound(values));
@@ -427,7 +431,9 @@ class BoundLaw {
   }
   BoundLaw(const BoundLaw&) = delete;
   BoundLaw& operator=(const BoundLaw&) = delete;
+  /// The law.
   const ContactLaw& operator*() const { return *law_; }
+  /// The law.
   const ContactLaw* operator->() const { return law_; }
 
  private:

@@ -163,6 +163,10 @@ def main():
     if broken:
         fail(*broken, "docs: links of the Markdown are broken")
     headers, silent = api.read(ROOT, work / "api")
+    list_of_rooms = (ROOT / "docs/api.md").read_text()
+    for room in api.public_rooms(ROOT):
+        if f"(../{room})" not in list_of_rooms:
+            fail(f"docs/api.md: does not list the public room {room}/")
     if silent:
         fail(*silent, f"docs: {len(silent)} public symbols are not documented")
     said(began, f"{len(headers)} public headers read")

@@ -18,7 +18,8 @@ OF_DESCRIPTIONS = {
 SAID = [
     ("function", "build", "", "Makes the element, placed by the start pose of the model; Model::add calls it. Throws ModelError."),
     ("function", "elements", "", "Makes the elements, placed by the start pose of the model; Model::add calls it. Throws ModelError."),
-    ("variable", "fields", LAW + "friction/", "The parameters by name, with units and ranges: for the catalogue and `check`."),
+    ("variable", "fields", LAW, "Its numbers by name and unit: for the catalogue, and to be changed during a run."),
+    ("function", "with_fields", LAW, "The law with these numbers in place of its `fields`."),
     ("function", "operator()", LAW + "elastic/", "Force, stiffness and energy at a penetration [m] >= 0."),
     ("function", "operator()", LAW + "dissipative/", "Force, derivatives, stored energy and dissipated power in a contact."),
     ("function", "operator()", LAW + "friction/", "Friction along the wall and its derivatives; > 0 against a sliding velocity > 0."),

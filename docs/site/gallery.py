@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import moving
@@ -18,6 +19,7 @@ import moving
 SHOWN = {
     "scotch_yoke": {"law": ["johnson", "table11-johnson"]},
     "slider_crank_clearance": {"set": ["turns=2"]},
+    "quick_return": {"set": ["clearance=0.1mm"]},
     "leaning_rod": {"set": ["angle=50deg"]},
 }
 
@@ -46,17 +48,22 @@ def replay_in(folder):
     return json.loads(found[0].read_text())
 
 
-def first_law(yoke, name):
-    """[the first law a case offers], or none."""
+def first_law(yoke, name, settings):
+    """[the first law a case offers], or none, also if it has no contacts with these settings."""
     help_ = subprocess.run([yoke, "run", name, "--help"], capture_output=True, text=True, check=True).stdout
     found = re.search(r"^Laws \(--law NAME\)\n +(\S+)", help_, flags=re.M)
-    return [found.group(1)] if found else []
+    if not found:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        taken = subprocess.run([yoke, "view", name, *settings, "--law", found.group(1), "-o", folder], capture_output=True)
+    return [found.group(1)] if taken.returncode == 0 else []
 
 
 def command_of(yoke, name):
     shown = SHOWN.get(name, {})
-    words = [w for setting in shown.get("set", []) for w in ("--set", setting)]
-    return ["run", name] + words + [w for law in shown.get("law", first_law(yoke, name)) for w in ("--law", law)]
+    settings = [w for setting in shown.get("set", []) for w in ("--set", setting)]
+    laws = shown["law"] if "law" in shown else first_law(yoke, name, settings)
+    return ["run", name] + settings + [w for law in laws for w in ("--law", law)]
 
 
 def make_case(yoke, name, runs, pictures, quick):

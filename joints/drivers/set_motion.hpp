@@ -21,6 +21,7 @@ class SetMotion {
   SetMotion(std::optional<double> speed, Measure measure, double start)
       : speed_(speed), measure_(measure), start_(start) {}
 
+  /// Speed and acceleration, to be set, and where the motion is counted from; none without a speed.
   std::vector<Parameter> parameters() const {
     if (!speed_) return {};
     const std::string unit = measure_ == Measure::angle ? "rad" : "m";
@@ -39,6 +40,7 @@ class SetMotion {
             .acceleration = p[at_acceleration]};
   }
 
+  /// Counts the same motion from t [s] on: writes its value and rate there into `p`.
   void update(double t, double* p) const {
     if (!speed_) return;
     const TimeValue f = at(t, p);

@@ -33,7 +33,7 @@ class JointSurface {
 
 /// The law and what a joint adds to it.
 struct JointFrictionLaw {
-  FrictionLaw law;
+  FrictionLaw law;         // any friction law
   double preload;          // [N] >= 0
   double reference_force;  // [N] > 0
 };
