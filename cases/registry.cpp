@@ -34,6 +34,7 @@ Case cam_follower_case();
 Case block_on_incline_case();
 Case belt_oscillator_case();
 Case rolling_disc_case();
+Case slot_roller_case();
 Case leaning_rod_case();
 Case painleve_rod_case();
 Case hanging_chain_case();
@@ -73,6 +74,7 @@ const std::vector<Case>& case_registry() {
       block_on_incline_case(),
       belt_oscillator_case(),
       rolling_disc_case(),
+      slot_roller_case(),
       leaning_rod_case(),
       painleve_rod_case(),
       // pendulums and chains

@@ -28,8 +28,8 @@ constexpr double g = 9.81;
 double last(const Eigen::VectorXd& column) { return column[column.size() - 1]; }
 
 TEST_CASE("friction cases: every law and every formulation, as another integrator says") {
-  for (const char* name :
-       {"block_on_incline", "belt_oscillator", "rolling_disc", "leaning_rod", "painleve_rod"})
+  for (const char* name : {"block_on_incline", "belt_oscillator", "rolling_disc", "slot_roller",
+                           "leaning_rod", "painleve_rod"})
     for (const NamedLaw& law : find_case(name).contact.laws) {
       INFO(name << " " << law.name);
       impact_run(name, {}, law.name, {.relative_tolerance = 1e-9, .samples = 501});
@@ -109,6 +109,22 @@ TEST_CASE("rolling_disc: it ends rolling, a uniform disc with two thirds of its 
   for (Eigen::Index i = 0; i < t.size(); ++i)
     if (slip[i] > 1e-2) until = t[i];
   CHECK(until == Approx(0.99 / (3.0 * 0.2 * g)).epsilon(2e-3));
+}
+
+TEST_CASE(
+    "slot_roller: it rolls, skids, or first the one and then the other, as a rigid one would") {
+  const auto events_of = [](const std::string& start, const std::string& mu,
+                            const std::string& kind) {
+    const auto run = impact_run(
+        "slot_roller",
+        {"start=" + start, "mu=" + mu, "mu_static=" + mu, "duration=0.3s", "stiffness=1e12"},
+        "coulomb", {.relative_tolerance = 1e-9});
+    return std::ranges::count(run.result.events, kind, &EventRecord::kind);
+  };
+  // kappa/(1 + kappa) = 1/3: it rolls where tan(start) < 3 mu, the more so lower down.
+  CHECK(events_of("30deg", "0.2", "slip") == 0);
+  CHECK(events_of("70deg", "0.2", "stick") == 1);
+  CHECK(events_of("70deg", "0.01", "stick") == 0);
 }
 
 /// Largest distance of the last period from the middle.
