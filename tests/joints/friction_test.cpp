@@ -19,7 +19,6 @@
 #include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
-#include <yoke/core/event_function.hpp>
 #include <yoke/integrators/analyses/inverse_dynamics.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/simulate.hpp>
