@@ -27,7 +27,7 @@ struct Mechanics::Equations {
   State state;
   bool known = false, has_null_space = false;
   int n, rows, freedom = 0;
-  Eigen::VectorXd mass, metric, phi, off, gamma, Q, unloaded, b, x;
+  Eigen::VectorXd mass, metric, phi, off, gamma, Q, unloaded, collected, b, x;
   Eigen::MatrixXd G, scaled, N;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
   Eigen::RowVectorXd scratch;
@@ -49,8 +49,9 @@ Mechanics::Equations::Equations(const Model& model)
   phi.setZero(rows);
   off.setZero(rows);
   gamma.setZero(rows);
-  Q.setZero(n + 1);
-  unloaded.setZero(n + 1);
+  Q.setZero(n);
+  unloaded.setZero(n + 1);  // the last entry collects the ground
+  collected.setZero(n + 1);
   b.setZero(n + rows + 1);
   x.setZero(n + rows + 1);
   G.setZero(rows, n);
@@ -74,10 +75,11 @@ void Mechanics::Equations::evaluate() {
   }
   unloaded.setZero();
   system.add_unloaded_forces(unloaded.data(), nullptr, nullptr);
-  Q = unloaded;
+  collected = unloaded;
   system.set_multipliers(state.lambda.data());
-  system.add_loaded_forces(Q.data(), nullptr, nullptr);
+  system.add_loaded_forces(collected.data(), nullptr, nullptr);
   system.set_multipliers(nullptr);
+  Q = collected.head(n);
 }
 
 Mechanics::Mechanics(const Model& model) : equations_(std::make_unique<Equations>(model)) {}
