@@ -83,7 +83,7 @@ class RigidRoller {
 
   /// Small steps of Runge and Kutta's method; a skid that ends within one is halved down to its end.
   void advance(double time, int steps) {
-    for (int i = 0; i < steps; ++i) take(time / steps, 40);
+    for (int i = 0; i < steps; ++i) take(time / steps, 6);
   }
 
  private:
