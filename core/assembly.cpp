@@ -8,8 +8,8 @@
 #include <random>
 
 #include <yoke/core/equations/dynamics.hpp>
-#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 

@@ -220,6 +220,7 @@ std::string to_json(const Summary& s) {
       {"reason", s.reason},
       {"formulation", s.formulation},
       {"formulation_reason", s.formulation_reason},
+      {"linear_solver", s.linear_solver},
       {"relative_tolerance", s.relative_tolerance},
       {"tolerance_kept", std::max(s.relative_tolerance, s.tolerance_kept)},
       {"length_scale_m", s.length_scale},

@@ -103,6 +103,7 @@ struct Summary {
   std::string reason = "not run";   // one sentence; for failures what to try
   std::string formulation;          // which one ran
   std::string formulation_reason;   // why
+  std::string linear_solver;        // of accelerations: blocks, range-klu or klu
   double relative_tolerance = 0.0;  // asked for
   double tolerance_kept = 0.0;      // what was kept where that was out of reach; 0: it never was
   double length_scale = 0.0;        // [m] used in the error weights

@@ -49,7 +49,10 @@ struct SimulationOptions {
   double time_scale = 0.0;       // [s] of velocities: length / time
   double baumgarte_rate = 0.0;   // [1/s] gain after Baumgarte, see docs/numerics.md
   double spectral_radius = 0.8;  // 0 to 0.999, formulation generalised-alpha only
-  Checkpoints checkpoints{};     // none unless given
+  /// What solves for accelerations and multipliers: blocks (along the graph of the joints), range-klu,
+  /// klu (the saddle matrix); automatic takes what costs less. See docs/numerics.md.
+  std::string linear_solver = "automatic";
+  Checkpoints checkpoints{};  // none unless given
   /// Called at every accepted step; returning false stops the run as interrupted, with what was
   /// computed so far.
   std::function<bool(const Progress&)> observer{};

@@ -60,7 +60,7 @@ std::string decoded(const std::string& uri) {
   return out;
 }
 
-/// "file:///tmp/fmu/resources", "file:/tmp/..." or "/tmp/...".
+/// "file:///of/an/fmu/resources", "file:/of/..." or "/of/...".
 std::filesystem::path path_of(const char* location) {
   std::string text = location != nullptr ? location : "";
   if (text.starts_with("file:")) {

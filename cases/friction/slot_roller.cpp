@@ -78,16 +78,15 @@ class RigidRoller {
   }
   double angle() const { return y_[0]; }
   double spin() const { return y_[2]; }
-  /// [N] Negative if the wall would have to pull.
-  double normal_force() const { return normal_force(y_); }
-
-  /// Small steps of Runge and Kutta's method; a skid that ends within one is halved down to its end.
+  /// Small steps of Runge and Kutta's method; one in which the roller begins or ceases to skid is halved.
   void advance(double time, int steps) {
-    for (int i = 0; i < steps; ++i) take(time / steps, 6);
+    for (int i = 0; i < steps; ++i) take(time / steps, halvings);
   }
 
  private:
   using State = std::array<double, 3>;  // theta, theta', spin
+  // A skid begins with a slip that grows as the square of the time: in shorter steps its sign is rounding.
+  static constexpr int halvings = 6;
 
   double normal_force(const State& y) const {
     return c_.mass * (SlotRoller::g * std::cos(y[0]) + A_ * y[1] * y[1]);
@@ -119,12 +118,12 @@ class RigidRoller {
       y[i] += h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
     return y;
   }
-  void take(double h, int halvings) {
+  void take(double h, int left) {
     const State next = after(h);
     const bool changes = skids_ == 0.0 ? !holds(next) : skids_ * slip(next) < 0.0;
-    if (changes && halvings > 0) {
-      take(0.5 * h, halvings - 1);
-      take(0.5 * h, halvings - 1);
+    if (changes && left > 0) {
+      take(0.5 * h, left - 1);
+      take(0.5 * h, left - 1);
       return;
     }
     y_ = next;

@@ -33,9 +33,10 @@ struct RunRequest {
   bool quiet = false;                       // print failures alone
   bool verify = false;                      // run again by another formulation and compare
   std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
-  double checkpoint_every = 0.0;            // [s] simulated time; 0: none by time
-  long checkpoint_events = 0;               // 0: none at events
-  bool resume = false;                      // continue from the checkpoints in `output`
+  std::string linear_solver = "automatic";
+  double checkpoint_every = 0.0;  // [s] simulated time; 0: none by time
+  long checkpoint_events = 0;     // 0: none at events
+  bool resume = false;            // continue from the checkpoints in `output`
 };
 
 /// The options of simulate() for one run of a request that lasts until `until` [s], records

@@ -192,6 +192,10 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
                   "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "
                   "0.8")
       ->type_name("X");
+  verb.add_option("--linear-solver", o.linear_solver,
+                  "What solves for accelerations and multipliers: blocks (along the graph of the "
+                  "joints), range-klu, klu (the saddle matrix); default automatic")
+      ->type_name("NAME");
 }
 
 void settle_paper(RequestOptions& o) {
@@ -222,6 +226,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
   visit("spectral_radius", o.spectral_radius);
+  visit("linear_solver", o.linear_solver);
   visit("format", o.format);
   visit("columns", o.columns);
   visit("every", o.every);
@@ -232,9 +237,9 @@ void visit_options(Options& o, Visit&& visit) {
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
 bool added_later(std::string_view option) {
-  constexpr std::string_view later[] = {"friction",   "spectral_radius", "no_report", "paper",
-                                        "format",     "columns",         "every",     "from",
-                                        "events_only"};
+  constexpr std::string_view later[] = {"friction", "spectral_radius", "linear_solver", "no_report",
+                                        "paper",    "format",          "columns",       "every",
+                                        "from",     "events_only"};
   return std::ranges::find(later, option) != std::end(later);
 }
 
@@ -291,6 +296,8 @@ std::string command_of(const RequestOptions& o) {
     text += fmt::format(" --rtol {:g}", o.relative_tolerance);
   if (!o.formulation.empty()) text += " --formulation " + quoted(o.formulation);
   if (!o.spectral_radius.empty()) text += " --spectral-radius " + quoted(o.spectral_radius);
+  if (o.linear_solver != defaults.linear_solver)
+    text += " --linear-solver " + quoted(o.linear_solver);
   if (o.samples != defaults.samples) text += fmt::format(" --samples {}", o.samples);
   return text;
 }
@@ -324,6 +331,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .quiet = o.quiet,
           .verify = o.verify,
           .spectral_radius = checked_spectral_radius(o),
+          .linear_solver = o.linear_solver,
           .checkpoint_every = checked_interval(o.checkpoint),
           .checkpoint_events = o.checkpoint_events};
 }

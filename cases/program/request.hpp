@@ -32,6 +32,7 @@ struct RequestOptions {
   std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
   long checkpoint_events = 0;   // 0: none by events
   std::string spectral_radius;  // "": its default
+  std::string linear_solver = "automatic";
   std::string format = "csv";
   std::vector<std::string> columns{};  // patterns; empty: all
   long every = 1;                      // rows
@@ -43,7 +44,7 @@ struct RequestOptions {
 /// What every verb that works on a case takes: CASE, --set, --rtol, --formulation, --jobs, --help.
 void add_case_options(CLI::App& verb, RequestOptions& options);
 /// What a verb that writes results takes besides: -o, --law, --samples, --no-plots, --paper, --no-report, --verify,
-/// --checkpoint, --checkpoint-events, --spectral-radius, --format, --columns, --every, --from, --events-only, --quiet.
+/// --checkpoint, --checkpoint-events, --spectral-radius, --linear-solver, --format, --columns, --every, --from, --events-only, --quiet.
 void add_output_options(CLI::App& verb, RequestOptions& options);
 
 /// The case in `run --paper CASE`, where it stands in the place of the optional word.

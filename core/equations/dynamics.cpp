@@ -8,16 +8,15 @@
 #include <cstring>
 #include <limits>
 
-#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 
-Dynamics::Dynamics(const Model& model)
-    : system_(model), length_metric_(metric_of_lengths(system_)) {
-  build_matrix();
-  lu_.emplace(matrix_);
-  if (!system_.loaded().empty()) loaded_.emplace(system_, matrix_);
+Dynamics::Dynamics(const Model& model, LinearSolver choice)
+    : system_(model), choice_(choice), length_metric_(metric_of_lengths(system_)) {
+  saddle_.emplace(layout(), choice_);
+  if (!system_.loaded().empty()) loaded_.emplace(system_, matrix());
   const std::size_t size = at(system_.dofs() + system_.rows());
   b_.assign(size + 1, 0.0);
   free_ = b_;
@@ -28,48 +27,33 @@ Dynamics::Dynamics(const Model& model)
   q_factorised_.assign(at(system_.dofs()), 0.0);
 }
 
-void Dynamics::build_matrix() {
-  const int n = system_.dofs();
-  PatternBuilder pattern(n + system_.rows());
-  for (int i = 0; i < n; ++i) pattern.add(i, i);
-  for (const int row : system_.left_out_rows()) pattern.add(n + row, n + row);
-  const auto diagonal = at(n) + system_.left_out_rows().size();
-  for (const ConstraintSlot& c : system_.holds()) pattern.add(n + c.row, n + c.row);
-  stamps_.clear();
-  stamp_start_.clear();
-  stamp_start_.push_back(0);
+SaddleLayout Dynamics::layout() const {
+  SaddleLayout layout{.mass = system_.mass(),
+                      .dof = system_.dof(),
+                      .blocks = {},
+                      .entries = {},
+                      .left_out = system_.left_out_rows(),
+                      .switched = {},
+                      .rows = system_.rows()};
+  for (const ConstraintSlot& c : system_.holds()) layout.switched.push_back(c.row);
   for (const ConstraintSlot& c : system_.constraints()) {
-    for (int i = 0; i < c.rows; ++i) {
+    layout.blocks.push_back({c.row, c.rows, c.columns, c.dofs, c.block});
+    for (int i = 0; i < c.rows; ++i)
       for (int j = 0; j < c.columns; ++j) {
         const int dof = system_.dof()[at(c.dofs + j)];
         if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_left_out(c.row + i)) continue;
-        const int row = n + c.row + i;
-        const int lower = pattern.add(row, dof);
-        stamps_.push_back({c.block + i * c.columns + j, lower, pattern.add(dof, row)});
+        layout.entries.push_back({c.block + i * c.columns + j, c.row + i, dof});
       }
-    }
-    stamp_start_.push_back(stamps_.size());
   }
-  std::vector<int> slot;
-  matrix_ = pattern.compile(slot);
-  for (int i = 0; i < n; ++i) matrix_.value[at(slot[at(i)])] = system_.mass()[at(i)];
-  for (std::size_t i = at(n); i < diagonal; ++i) matrix_.value[at(slot[i])] = 1.0;
-  hold_diagonal_.assign(slot.begin() + static_cast<std::ptrdiff_t>(diagonal),
-                        slot.begin() + static_cast<std::ptrdiff_t>(diagonal) +
-                            static_cast<std::ptrdiff_t>(system_.holds().size()));
-  for (Stamp& s : stamps_) {
-    s.lower = slot[at(s.lower)];
-    s.upper = slot[at(s.upper)];
-  }
+  return layout;
 }
 
 void Dynamics::leave_out(const std::vector<int>& rows) {
   if (rows == system_.left_out_rows()) return;
   system_.leave_out(rows);
   retired_ = counters();
-  build_matrix();
-  lu_.emplace(matrix_);
-  if (loaded_) loaded_.emplace(system_, matrix_);
+  saddle_.emplace(layout(), choice_);
+  if (loaded_) loaded_.emplace(system_, matrix());
   lengths_.reset();
   factorised_ = false;
   weakest_.clear();
@@ -81,26 +65,17 @@ FactorCounters Dynamics::counters() const {
     sum.refactorisations += now.refactorisations;
     sum.fresh += now.fresh;
   };
-  add(lu_->counters());
+  add(saddle_->counters());
   if (loaded_) add(loaded_->counters());
   return sum;
 }
 
 void Dynamics::reset() {
-  lu_->reset();
+  saddle_->reset();
   if (loaded_) loaded_->reset();
   lengths_.reset();
   factorised_ = false;
   weakest_.clear();
-}
-
-void Dynamics::stamp(std::size_t constraint) {
-  const double* G = system_.G();
-  double* value = matrix_.value.data();
-  for (std::size_t i = stamp_start_[constraint]; i < stamp_start_[constraint + 1]; ++i) {
-    const Stamp& s = stamps_[i];
-    value[s.lower] = value[s.upper] = G[s.entry];
-  }
 }
 
 bool Dynamics::same_as_factorised(double t, const double* q) const {
@@ -109,9 +84,7 @@ bool Dynamics::same_as_factorised(double t, const double* q) const {
 }
 
 bool Dynamics::factorise_at(double t, const double* q) {
-  for (std::size_t i = 0; i < hold_diagonal_.size(); ++i)
-    matrix_.value[at(hold_diagonal_[i])] = system_.is_dropped(system_.holds()[i].row) ? 1.0 : 0.0;
-  factorised_ = lu_->factorise(matrix_);
+  factorised_ = saddle_->factorise(system_.G(), system_.dropped());
   version_factorised_ = system_.hold_version();
   t_factorised_ = t;
   std::copy_n(q, q_factorised_.size(), q_factorised_.begin());
@@ -129,14 +102,10 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
   system_.set_states(z);
   // A step ends with a projection whose factors serve the first evaluation of the next step.
   const bool reuse = same_as_factorised(t, q);
-  const auto constraints = system_.constraints();
-  for (std::size_t i = 0; i < constraints.size(); ++i) {
-    const ConstraintSlot& c = constraints[i];
+  for (const ConstraintSlot& c : system_.constraints())
     system_.evaluate(c, {.phi = stabilisation != nullptr ? phi_.data() + c.row : nullptr,
                          .G = reuse ? nullptr : system_.G() + c.block,
                          .gamma = gamma + c.row});
-    if (!reuse) stamp(i);
-  }
   for (const int row : system_.dropped_rows()) gamma[row] = 0.0;
   if (stabilisation != nullptr) {
     system_.calc_velocity_residual(residual_.data());
@@ -156,7 +125,7 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
     system_.add_forces(b_.data(), z_dot, quadrature_rates);
   gamma[0] = first_gamma;
   if (!loaded_)
-    lu_->solve(b_.data());
+    saddle_->solve(b_.data());
   else if (!solve_loaded(z_dot, quadrature_rates))
     return false;
 
@@ -177,8 +146,8 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
 
 bool Dynamics::solve_loaded(double* z_dot, double* quadrature_rates) {
   free_ = b_;
-  lu_->solve(b_.data());
-  if (!loaded_->solve(matrix_, free_.data(), b_.data())) {
+  saddle_->solve(b_.data());
+  if (!loaded_->solve(matrix(), free_.data(), b_.data())) {
     if (!std::ranges::all_of(free_, [](double x) { return std::isfinite(x); }))
       system_.blame_not_finite();
     return false;
@@ -211,7 +180,7 @@ bool Dynamics::improve_position(double* q) {
   std::fill_n(b_.begin(), n, 0.0);
   for (int i = 0; i < system_.rows(); ++i)
     b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -phi_[at(i)];
-  lu_->solve(b_.data());
+  saddle_->solve(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
     q[i] += b_[at(i)];
@@ -234,10 +203,7 @@ bool Dynamics::project_positions(double t, double* q, Correction how) {
     if (enough || norm == 0.0 || (norm < 1e3 * tolerance && norm > 0.5 * last)) return true;
     if (!std::isfinite(norm)) return false;
     last = norm;
-    if (!same_as_factorised(t, q)) {
-      for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
-      if (!factorise_at(t, q)) return false;
-    }
+    if (!same_as_factorised(t, q) && !factorise_at(t, q)) return false;
     if (!improve_position(q)) return false;
     corrected_ = norm;
   }
@@ -248,7 +214,6 @@ bool Dynamics::project_velocities(double t, const double* q, double* v, Rows whi
   system_.set_motion(t, q, v);
   if (!same_as_factorised(t, q)) {
     system_.calc_position_level(phi_.data());
-    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
     if (!factorise_at(t, q)) return false;
   }
   return improve_velocity(v, which);
@@ -260,10 +225,7 @@ bool Dynamics::project(double t, double* q, double* v, Correction how) {
   // The factors are those of the position before the last correction. If that was within rounding
   // of this one they serve as well.
   const bool serve = how == Correction::smooth && corrected_ <= 1e3 * position_tolerance(q);
-  if (!serve && !same_as_factorised(t, q)) {
-    for (std::size_t i = 0; i < system_.constraints().size(); ++i) stamp(i);
-    if (!factorise_at(t, q)) return false;
-  }
+  if (!serve && !same_as_factorised(t, q) && !factorise_at(t, q)) return false;
   return improve_velocity(v);
 }
 
@@ -275,7 +237,7 @@ bool Dynamics::improve_velocity(double* v, Rows which) {
   for (int i = 0; i < system_.rows(); ++i)
     b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -residual_[at(i)];
   if (which == Rows::of_positions) std::fill(b_.begin() + n + system_.joint_rows(), b_.end(), 0.0);
-  lu_->solve(b_.data());
+  saddle_->solve(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
     v[i] += b_[at(i)];

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
+#include <yoke/core/equations/linear/saddle_solver.hpp>
 #include <yoke/core/equations/loaded_forces.hpp>
 #include <yoke/core/equations/redundancy.hpp>
 #include <yoke/core/equations/scaled_saddle.hpp>
-#include <yoke/core/equations/sparse.hpp>
 #include <yoke/core/equations/system.hpp>
 
 namespace yoke {
@@ -59,7 +59,7 @@ enum class Rows { all, of_positions };
 
 class Dynamics {
  public:
-  explicit Dynamics(const Model& model);
+  explicit Dynamics(const Model& model, LinearSolver choice = LinearSolver::automatic);
 
   System& system() { return system_; }
   const System& system() const { return system_; }
@@ -152,19 +152,14 @@ class Dynamics {
   double worst_residual() const { return worst_residual_; }
   FactorCounters counters() const;
   long evaluations() const { return evaluations_; }
-  const SparseMatrix& matrix() const { return matrix_; }
+  /// The saddle matrix, with the blocks of G computed last.
+  const SparseMatrix& matrix() { return saddle_->matrix(system_.G(), system_.dropped()); }
+  const SaddleSolver& saddle() const { return *saddle_; }
 
  private:
   static constexpr int max_projection_iterations = 12;
 
-  struct Stamp {
-    int entry;  // in the blocks of G
-    int lower;  // slot of G
-    int upper;  // slot of G^T
-  };
-
-  void build_matrix();
-  void stamp(std::size_t constraint);
+  SaddleLayout layout() const;
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
   bool improve_velocity(double* v, Rows which = Rows::all);
@@ -183,10 +178,8 @@ class Dynamics {
   std::vector<char> dropped_marks() const;  // [rows]
 
   System system_;
-  SparseMatrix matrix_;
-  std::vector<Stamp> stamps_;
-  std::vector<std::size_t> stamp_start_;  // [constraints + 1]
-  std::optional<SparseLU> lu_;
+  LinearSolver choice_;
+  std::optional<SaddleSolver> saddle_;
   std::optional<LoadedForces> loaded_;  // where forces depend on reactions
   FactorCounters retired_;              // of factorisations of other choices of rows
   std::vector<double> b_;  // right-hand side and solution, one entry more for the ground
@@ -196,7 +189,6 @@ class Dynamics {
   std::vector<double> q_factorised_;
   double t_factorised_ = 0.0;
   bool factorised_ = false;
-  std::vector<int> hold_diagonal_;          // slots of the rows of friction that may hold
   long version_factorised_ = 0;             // System::hold_version()
   Eigen::VectorXd a_there_, lambda_there_;  // of looks at friction that holds
   std::vector<double> hold_forces_, shared_, free_;

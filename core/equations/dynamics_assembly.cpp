@@ -7,16 +7,14 @@
 
 #include <yoke/core/equations/consistency.hpp>
 #include <yoke/core/equations/dynamics.hpp>
-#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/core/equations/massless.hpp>
 
 namespace yoke {
 
 namespace {
 constexpr int max_assembly_iterations = 60;
-// Reciprocal condition below which the equations are looked at by a rank-revealing QR.
-constexpr double suspicious = 1e-11;
 }  // namespace
 
 // Do the equations left out hold for the rates and accelerations found without them?
@@ -51,7 +49,7 @@ Outcome Dynamics::assemble(State& state) {
     if (!factorised_) break;
   }
   if (positions && project_velocities(state.t, state.q.data(), state.v.data()) &&
-      lu_->reciprocal_condition() > suspicious)
+      saddle_->well_conditioned())
     return finish_assembly(state);
   state.q = q;
   state.v = v;

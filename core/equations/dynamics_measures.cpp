@@ -9,7 +9,7 @@
 #include <limits>
 
 #include <yoke/core/equations/dynamics.hpp>
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 
@@ -77,7 +77,7 @@ double Dynamics::mobility(const ForceSlot& slot, const double* direction, double
   std::fill(b_.begin(), b_.end(), 0.0);
   for (int j = 0; j < slot.columns; ++j)
     if (const int dof = system_.dof()[at(slot.dofs + j)]; dof >= 0) b_[at(dof)] += direction[j];
-  lu_->solve(b_.data());
+  saddle_->solve(b_.data());
   double mobility = 0.0;
   alone = 0.0;
   for (int j = 0; j < slot.columns; ++j)
@@ -100,7 +100,7 @@ double Dynamics::effective_mass(const ForceSlot& slot, const double* direction) 
 double Dynamics::mobility(int dof) {
   std::fill(b_.begin(), b_.end(), 0.0);
   b_[at(dof)] = 1.0;
-  lu_->solve(b_.data());
+  saddle_->solve(b_.data());
   return std::max(0.0, b_[at(dof)]);
 }
 
@@ -171,7 +171,7 @@ Eigen::VectorXd Dynamics::response_to(std::size_t hold) {
   std::fill(b_.begin(), b_.end(), 0.0);
   for (int j = 0; j < f.columns; ++j)
     if (const int dof = system_.dof()[at(f.dofs + j)]; dof >= 0) b_[at(dof)] -= s[at(j)];
-  lu_->solve(b_.data());
+  saddle_->solve(b_.data());
   Eigen::VectorXd response = Eigen::Map<const Eigen::VectorXd>(b_.data() + n, system_.rows());
   response[f.row] = 1.0;
   return response;

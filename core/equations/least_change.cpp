@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <yoke/core/equations/consistency.hpp>
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 
@@ -131,7 +131,7 @@ bool LoadedForces::solve(const SparseMatrix& saddle, const double* b, double* x)
   return true;
 }
 
-/// Whose load changes most.
+/// Blames the one with the largest load; its force cannot be told from others' that follow from it.
 bool LoadedForces::fail(const double* lambda) {
   const ForceSlot* worst = nullptr;
   double most = -1.0;

@@ -18,7 +18,7 @@
 
 #include <vector>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/core/equations/system.hpp>
 
 namespace yoke {

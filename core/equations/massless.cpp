@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include <yoke/core/equations/index.hpp>
 #include <yoke/core/equations/least_change.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/core/equations/rank.hpp>
 
 namespace yoke {

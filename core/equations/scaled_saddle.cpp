@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 

@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/core/equations/system.hpp>
 
 namespace yoke {

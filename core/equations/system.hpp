@@ -101,10 +101,9 @@ class System {
   /// Those, and rows of friction that does not hold now: their multiplier is zero too.
   bool is_dropped(int row) const { return dropped_[static_cast<std::size_t>(row)] != 0; }
   const std::vector<int>& dropped_rows() const { return dropped_rows_; }
+  std::span<const char> dropped() const { return dropped_; }  // [rows]
   /// Is any friction at rest, with or without a row of its own? As bind() found it.
   bool any_grip() const { return any_grip_; }
-  /// Does any element look at reactions, its own hold or those of a joint?
-  bool looks_at_reactions() const { return any_grip_ || !loaded_.empty(); }
   const ContactMemory& grip_memory(const ConstraintSlot& hold) const {
     return contacts_[forces_[static_cast<std::size_t>(hold.hold)].contacts];
   }

@@ -30,7 +30,7 @@ constexpr std::ptrdiff_t most_noted_changes = 5;
 Run::Run(const Model& model, const State& state, const SimulationOptions& options, double t_start)
     : options_(options),
       t_start_(t_start),
-      dynamics_(model),
+      dynamics_(model, linear_solver_named(options.linear_solver)),
       state_(state),
       sample_(state),
       checkpoints_(options, t_start),
@@ -58,6 +58,7 @@ Run::Run(const Model& model, const State& start, const SimulationOptions& option
   summary.length_scale = scales.length;
   summary.time_scale = scales.time;
   note_constraints(dynamics_, result_.summary);
+  summary.linear_solver = name_of(dynamics_.saddle().in_use());
   choose_formulation();
   make_formulation();
   samples_ = std::make_unique<RunSamples>(dynamics_, result_, options_, t_start_);

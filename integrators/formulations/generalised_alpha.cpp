@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {

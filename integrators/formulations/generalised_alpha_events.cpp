@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
 
 namespace yoke {

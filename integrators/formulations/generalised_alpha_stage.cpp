@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
 
 namespace yoke {

@@ -9,7 +9,7 @@
 // IDA's sums does not know where the origin is.
 #include <idas/idas.h>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/integrators/formulations/ida.hpp>
 #include <yoke/integrators/formulations/ida_step_control.hpp>
 #include <yoke/integrators/formulations/sundials_stepper.hpp>

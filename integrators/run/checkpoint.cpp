@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 4;
+constexpr std::uint32_t format_version = 5;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -61,6 +61,7 @@ void visit_summary(S& s, Visit&& visit) {
   visit("reason", s.reason);
   visit("formulation", s.formulation);
   visit("formulation_reason", s.formulation_reason);
+  visit("linear_solver", s.linear_solver);
   visit("relative_tolerance", s.relative_tolerance);
   visit("tolerance_kept", s.tolerance_kept);
   visit("length_scale", s.length_scale);
@@ -115,6 +116,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("every_events", c.every_events);
   visit("baumgarte_rate", c.baumgarte_rate);
   visit("spectral_radius", c.spectral_radius);
+  visit("linear_solver", c.linear_solver);
   visit("length_scale", c.scales.length);
   visit("time_scale", c.scales.time);
   visit("state", c.state);

@@ -142,7 +142,7 @@ void ElementEvents::handle(const std::vector<int>& fired) {
   begin();
   state_.handled.clear();
   state_.handled_at = state_.t;
-  if (dynamics_.system().looks_at_reactions()) dynamics_.share_hold_forces(state_.lambda.data());
+  dynamics_.share_hold_forces(state_.lambda.data());
   // A blow may take more of them across zero, which are handled too, and may strike in turn.
   fired_ = fired;
   handle_fired(fired.size());

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 #include <yoke/integrators/formulations/rounding_floor.hpp>
 
 namespace yoke {

@@ -82,6 +82,57 @@ void friction_of_chain(benchmark::State& bench) {
   bench.counters["ns_per_link"] = 1e9 * median(with) / links;
 }
 
+// Elimination by blocks against KLU on the saddle matrix, whole evaluations in turn.
+void solvers_of_chain(benchmark::State& bench) {
+  const int links = static_cast<int>(bench.range(0));
+  const Model model = chain(links);
+  const int repeats = std::max(1, 20000 / links);
+  struct Contestant {
+    Contestant(const Model& m, LinearSolver solver) : dynamics(m, solver), state(m.start_state()) {}
+    Dynamics dynamics;
+    State state;
+    std::vector<double> times{};
+  };
+  const auto contestant = [&](LinearSolver solver) {
+    auto made = std::make_unique<Contestant>(model, solver);
+    if (!made->dynamics.assemble(made->state)) bench.SkipWithError("the chain does not assemble");
+    return made;
+  };
+  const auto klu = contestant(LinearSolver::klu), range_klu = contestant(LinearSolver::range_klu),
+             blocks = contestant(LinearSolver::blocks);
+  double nudge = 1e-9;
+  const auto evaluate = [&](Contestant& c) {
+    State& state = c.state;
+    c.times.push_back(seconds(repeats, [&] {
+      nudge = -nudge;
+      for (Eigen::Index i = 2; i < state.q.size(); i += 3) state.q[i] += nudge;
+      c.dynamics.calc_accelerations(
+          {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
+          {.a = state.a.data(), .lambda = state.lambda.data()});
+    }));
+    return c.times.back();
+  };
+  std::vector<double> of_blocks, of_range_klu;
+  for (auto _ : bench) {
+    const double judge = evaluate(*klu);
+    of_range_klu.push_back(evaluate(*range_klu) / judge);
+    of_blocks.push_back(evaluate(*blocks) / judge);
+    bench.SetIterationTime(blocks->times.back());
+  }
+  bench.counters["ratio_to_klu"] = median(of_blocks);
+  bench.counters["range_klu_ratio"] = median(of_range_klu);
+  bench.counters["ns_per_link"] = 1e9 * median(blocks->times) / links;
+}
+
+BENCHMARK(solvers_of_chain)
+    ->Arg(3)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Iterations(15)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(friction_of_chain)
     ->Arg(10)
     ->Arg(100)

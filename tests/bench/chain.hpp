@@ -8,7 +8,7 @@
 #include <suitesparse/klu.h>
 #include <time.h>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>

@@ -32,8 +32,8 @@ const std::map<std::string, std::vector<std::string>> allowed_folders = {
 // sources see all rooms.
 const std::map<std::string, std::vector<std::string>> room_order = {
     {"core",
-     {"core", "core/equations", "core/equations/grips", "core/authoring", "core/control",
-      "core/curves/pieces", "core/curves", "core/drawing", "core/output"}},
+     {"core", "core/equations/linear", "core/equations", "core/equations/grips", "core/authoring",
+      "core/control", "core/curves/pieces", "core/curves", "core/drawing", "core/output"}},
     {"joints", {"joints/rows", "joints/drivers", "joints/forces", "joints/friction", "joints"}},
     {"contact",
      {"contact/laws", "contact/laws/forms", "contact/laws/elastic", "contact/laws/dissipative",

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 

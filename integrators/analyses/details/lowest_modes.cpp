@@ -9,8 +9,8 @@
 #include <cmath>
 #include <memory>
 
-#include <yoke/core/equations/index.hpp>
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/index.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/core/error.hpp>
 
 namespace yoke {

@@ -11,7 +11,7 @@
 #include <functional>
 #include <memory>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/integrators/analyses/details/rest_equations.hpp>
 
 namespace yoke {

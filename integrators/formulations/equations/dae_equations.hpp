@@ -5,7 +5,7 @@
 // implicit integrator sees it. One file per set of equations; ida.cpp integrates them.
 #pragma once
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 
 namespace yoke {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <yoke/core/equations/index.hpp>
+#include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <yoke/core/equations/linear/linear_solver.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
 
@@ -44,6 +45,7 @@ void check_options(const SimulationOptions& options, double t_start) {
                                  options.until, t_start));
   require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
   require_range("simulation", "spectral_radius", options.spectral_radius, 0.0, 0.999);
+  linear_solver_named(options.linear_solver);
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
         fmt::format("simulation: samples = {} must be 0 (none) or at least 2", options.samples));
@@ -103,6 +105,7 @@ void check_checkpoint(const Model& model, const SimulationOptions& options, cons
   same("until", options.until, c.until);
   same("relative_tolerance", options.relative_tolerance, c.relative_tolerance);
   if (options.formulation != "automatic") same("formulation", options.formulation, c.formulation);
+  same("linear_solver", options.linear_solver, c.linear_solver);
   same("samples", options.samples, c.samples);
   same("contact_rows", options.contact_rows, c.contact_rows);
   same("checkpoints.every", options.checkpoints.every, c.every);

@@ -225,7 +225,26 @@ TEST_SUITE("program") {
             "formulation 'ida-ggl' has none");
     refused("run hanging_chain --formulation generalised-alpha --spectral-radius 1",
             "--spectral-radius 1: accepted is 0 to 0.999");
+    refused("run hanging_chain --linear-solver lu",
+            "unknown linear solver 'lu': automatic, klu, range-klu or blocks");
     CHECK(!fs::exists(scratch / "results"));
+  }
+
+  TEST_CASE(
+      "--linear-solver is used, kept in the summary and by a resumed run, and agrees with the others") {
+    const TemporaryFolder scratch;
+    const std::string run = "run hanging_chain --rtol 1e-9 --no-plots --no-report --samples 11 ";
+    std::vector<double> angles;
+    for (const std::string solver : {"klu", "range-klu", "blocks", "automatic"}) {
+      CHECK(run_yoke(scratch, run + "--checkpoint 1s --linear-solver " + solver + " -o " + solver)
+                .code == 0);
+      CHECK(run_yoke(scratch, "resume " + solver).code == 0);
+      const auto summary = nlohmann::json::parse(content(scratch / solver / "summary.json"));
+      CHECK(summary.at("linear_solver") == (solver == "automatic" ? "blocks" : solver));
+      angles.push_back(std::stod(cells(lines(scratch / solver / "motion.csv").back()).at(3)));
+      CHECK(angles.back() == doctest::Approx(angles.front()).epsilon(1e-7));
+    }
+    CHECK(angles[3] == angles[2]);
   }
 
   TEST_CASE("--spectral-radius reaches generalised-alpha, also in a resumed run") {

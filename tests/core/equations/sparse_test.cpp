@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 
 namespace {
 

@@ -102,8 +102,8 @@ TEST_CASE("a pendulum that turns through all poses allocates only for fresh fact
     INFO(formulation);
     const Count c = count(double_pendulum(), {.until = 5.0, .formulation = formulation});
     CHECK(c.steps > 400);
-    // KLU allocates about a dozen blocks for a factor with new pivots.
-    CHECK(c.allocations <= 16 * c.fresh);
+    // KLU allocates a dozen blocks and more for a factor with new pivots, of a large matrix more than of a small.
+    CHECK(c.allocations <= 20 * c.fresh);
     CHECK(c.fresh < 40);
   }
 }
@@ -123,7 +123,7 @@ TEST_CASE("friction of joints, in the equations and between its events, allocate
     model.add(Gravity{});
     const Count c = count(model, {.until = 1.0, .formulation = formulation});
     CHECK(c.steps > 50);
-    CHECK(c.allocations <= 16 * c.fresh);
+    CHECK(c.allocations <= 20 * c.fresh);
   }
 }
 

@@ -19,8 +19,8 @@ TEST_CASE("a run chooses new pivots a handful of times, whatever the tolerance")
                                           .samples = 101});
       REQUIRE(run.summary.ok());
       CHECK(run.summary.events > 40);
-      // One at the assembly, one at the start of the run, one for a matrix of the integrator's own.
-      CHECK(run.summary.fresh_factorisations >= 2);
+      // Elimination by blocks chooses no pivots; a matrix of the integrator's own does.
+      CHECK(run.summary.fresh_factorisations >= (formulation == "ida-ggl" ? 1 : 0));
       CHECK(run.summary.fresh_factorisations <= 4);
       CHECK(run.summary.refactorisations > run.summary.steps / 10);
     }

@@ -2,7 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <suitesparse/klu.h>
 
-#include <yoke/core/equations/sparse.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +83,9 @@ int* mutable_data(const std::vector<int>& v) { return const_cast<int*>(v.data())
 double* mutable_data(const std::vector<double>& v) { return const_cast<double*>(v.data()); }
 }  // namespace
 
-SparseLU::SparseLU(const SparseMatrix& matrix) : klu_(std::make_unique<Klu>()) {
+SparseLU::SparseLU(const SparseMatrix& matrix, Scaling scaling) : klu_(std::make_unique<Klu>()) {
   klu_defaults(&klu_->common);
+  if (scaling == Scaling::none) klu_->common.scale = -1;
   klu_->symbolic = klu_analyze(matrix.size, mutable_data(matrix.column_start),
                                mutable_data(matrix.row), &klu_->common);
 }
@@ -92,6 +93,10 @@ SparseLU::SparseLU(const SparseMatrix& matrix) : klu_(std::make_unique<Klu>()) {
 SparseLU::~SparseLU() {
   klu_free_numeric(&klu_->numeric, &klu_->common);
   klu_free_symbolic(&klu_->symbolic, &klu_->common);
+}
+
+double SparseLU::multiplications() const {
+  return klu_->symbolic == nullptr ? 0.0 : 0.5 * klu_->symbolic->est_flops;
 }
 
 void SparseLU::reset() { klu_free_numeric(&klu_->numeric, &klu_->common); }

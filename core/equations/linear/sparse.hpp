@@ -50,7 +50,8 @@ struct FactorCounters {
 /// thousandth of what it was at the last fresh factor, or not finite.
 class SparseLU {
  public:
-  explicit SparseLU(const SparseMatrix& matrix);
+  enum class Scaling { by_rows, none };
+  explicit SparseLU(const SparseMatrix& matrix, Scaling scaling = Scaling::by_rows);
   ~SparseLU();
   SparseLU(const SparseLU&) = delete;
   SparseLU& operator=(const SparseLU&) = delete;
@@ -64,6 +65,8 @@ class SparseLU {
   void reset();
 
   double reciprocal_condition() const { return rcond_; }
+  /// Of a factorisation without exchanges, as the analysis counts them.
+  double multiplications() const;
   const FactorCounters& counters() const { return counters_; }
 
  private:

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// L D L^T of a symmetric positive definite matrix made of blocks of 2 x 2, in an order of elimination chosen
+// once: in linear time along a tree (D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH
+// 1996), with blocks of fill where loops close.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <yoke/core/equations/linear/symmetric_blocks.hpp>
+
+namespace yoke {
+
+/// An order of elimination that makes little fill: the old number of each column. `pairs` couples columns.
+std::vector<int> elimination_order(int columns, const std::vector<std::pair<int, int>>& pairs);
+
+class BlockElimination final : public SymmetricFactors {
+ public:
+  /// Columns are eliminated in their order. Null where factorising takes more than `most` multiplications.
+  static std::unique_ptr<BlockElimination> make(int columns, std::vector<std::pair<int, int>> pairs,
+                                                double most);
+  const BlockPattern& pattern() const override { return pattern_; }
+  double* values() override { return value_.data(); }
+  bool factorise(double least) override;
+  double smallest_pivot() const override { return smallest_; }
+  void solve(double* x) override;
+  double multiplications() const { return multiplications_; }  ///< of factorise()
+
+ private:
+  BlockElimination() = default;
+  bool invert_pivot(int column, double* D, double least);
+
+  BlockPattern pattern_;  // with the fill
+  std::vector<int>
+      update_;  // 4 x places: for each column of n below those of (0,0) (1,0) ... (n-1,n-1)
+  std::vector<double>
+      value_;  // after factorise() the inverse of each pivot in the place of the diagonal
+  std::vector<double> diagonal_;  // [2 columns] elements before elimination
+  double smallest_ = 1.0;
+  double multiplications_ = 0.0;
+};
+
+}  // namespace yoke

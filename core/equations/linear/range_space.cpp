@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+#include <yoke/core/equations/linear/range_space.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <yoke/core/equations/linear/block_elimination.hpp>
+#include <yoke/core/equations/linear/index.hpp>
+
+namespace yoke {
+
+namespace {
+
+// With a smallest pivot p a solution loses eps/p of its digits, and so does each refinement of what the last
+// one left: one is enough above the second, two above the first.
+constexpr double least_pivot = 1e-9, one_refinement = 1e-5;
+// What is left of an equation, in parts of its terms, up to which nothing is refined. What a reaction itself
+// accelerates counts little beside: that is the rounding of an acceleration that is zero.
+constexpr double misfit_allowed = 1e-13, share_of_reaction = 1e-4;
+constexpr double rounding_left = 16.0 * machine_epsilon;
+// A body with so many joints couples all of them: what that takes is not even listed.
+constexpr std::size_t most_products_per_part = 64;
+
+}  // namespace
+
+std::unique_ptr<RangeSpace> RangeSpace::by_blocks(const SaddleLayout& layout, double most) {
+  return lay_out(layout, most, false);
+}
+
+std::unique_ptr<RangeSpace> RangeSpace::by_klu(const SaddleLayout& layout) {
+  return lay_out(layout, std::numeric_limits<double>::infinity(), true);
+}
+
+std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, double most, bool klu) {
+  const bool have_mass = std::ranges::all_of(layout.mass, [](double m) { return m > 0.0; });
+  if (!have_mass || layout.rows == 0) return nullptr;
+  std::unique_ptr<RangeSpace> made(new RangeSpace);
+  made->dofs_ = layout.dofs();
+  for (const double m : layout.mass) made->mobility_.push_back(1.0 / m);
+  made->add_nodes(layout);
+  const int columns = static_cast<int>(made->nodes_.size()) - 1;
+  std::vector<std::pair<int, int>> pairs = made->pairs();
+  if (!klu && pairs.size() > most_products_per_part * made->parts_.size()) return nullptr;
+  if (klu) {
+    made->factors_ = std::make_unique<BlockKlu>(columns, std::move(pairs));
+  } else {
+    made->put_in_order(elimination_order(columns, pairs));
+    auto blocks = BlockElimination::make(columns, made->pairs(), most);
+    if (blocks == nullptr) return nullptr;
+    made->multiplications_ = blocks->multiplications();
+    made->factors_ = std::move(blocks);
+  }
+  made->find_products();
+  made->G_.assign(6 * made->parts_.size(), 0.0);
+  made->a_.assign(at(made->dofs_), 0.0);
+  made->before_ = made->a_;
+  for (std::vector<double>* v : {&made->lambda_, &made->x_, &made->diagonal_})
+    v->assign(2 * at(columns), 0.0);
+  made->counts_.assign(2 * at(columns), 0);
+  return made;
+}
+
+void RangeSpace::add_nodes(const SaddleLayout& layout) {
+  for (const JacobianBlock& c : layout.blocks)
+    for (int i = 0; i < c.rows; i += 2) {
+      const bool both = i + 1 < c.rows;
+      nodes_.push_back({.row = {c.row + i, both ? c.row + i + 1 : -1},
+                        .part = static_cast<int>(parts_.size()),
+                        .place = 0});
+      for (int j = 0; j < c.columns; j += 3) {
+        const int dof = layout.dof[at(c.dofs + j)], source = c.block + i * c.columns + j;
+        if (dof >= 0)
+          parts_.push_back(
+              {.dof = dof, .source = {source, both ? source + c.columns : -1}, .product = 0});
+      }
+    }
+  nodes_.push_back({.row = {-1, -1}, .part = static_cast<int>(parts_.size()), .place = 0});
+}
+
+/// Nodes that have a body in common.
+std::vector<std::pair<int, int>> RangeSpace::pairs() {
+  std::vector<std::vector<int>> nodes_of_body(at(dofs_ / 3));
+  for (int k = 0; k + 1 < static_cast<int>(nodes_.size()); ++k)
+    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p)
+      nodes_of_body[at(parts_[at(p)].dof / 3)].push_back(k);
+  std::vector<std::pair<int, int>> pairs;
+  const std::size_t most = most_products_per_part * parts_.size();
+  for (const std::vector<int>& nodes : nodes_of_body)
+    for (std::size_t j = 1; j < nodes.size() && pairs.size() <= most; ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        if (nodes[i] != nodes[j]) pairs.emplace_back(nodes[i], nodes[j]);
+  return pairs;
+}
+
+void RangeSpace::put_in_order(const std::vector<int>& order) {
+  const std::vector<Node> nodes = std::move(nodes_);
+  const std::vector<Part> parts = std::move(parts_);
+  nodes_.clear();
+  parts_.clear();
+  for (const int k : order) {
+    Node node = nodes[at(k)];
+    const auto begin = parts.begin() + node.part, end = parts.begin() + nodes[at(k + 1)].part;
+    node.part = static_cast<int>(parts_.size());
+    parts_.insert(parts_.end(), begin, end);
+    nodes_.push_back(node);
+  }
+  nodes_.push_back({.row = {-1, -1}, .part = static_cast<int>(parts_.size()), .place = 0});
+}
+
+void RangeSpace::find_products() {
+  struct Use {
+    int node, part;
+  };
+  std::vector<std::vector<Use>> uses(at(dofs_ / 3));
+  const int columns = static_cast<int>(nodes_.size()) - 1;
+  for (int k = 0; k < columns; ++k)
+    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p)
+      uses[at(parts_[at(p)].dof / 3)].push_back({k, p});
+  const BlockPattern& pattern = factors_->pattern();
+  const int blocks = columns + static_cast<int>(pattern.row.size());
+  std::vector<bool> used(at(blocks), false);
+  for (int k = 0; k < columns; ++k) {
+    nodes_[at(k)].place = 4 * pattern.place(k, k);
+    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) {
+      Part& part = parts_[at(p)];
+      part.product = static_cast<int>(products_.size());
+      for (const Use& use : uses[at(part.dof / 3)]) {
+        if (use.node <= k) continue;
+        const int place = pattern.place(use.node, k);
+        products_.push_back({.part = use.part, .place = 4 * place, .first = !used[at(place)]});
+        used[at(place)] = true;
+      }
+    }
+    used[at(pattern.place(k, k))] = true;
+  }
+  for (int place = 0; place < blocks; ++place)
+    if (!used[at(place)]) fill_.push_back(4 * place);
+  parts_.push_back({.dof = 0, .source = {-1, -1}, .product = static_cast<int>(products_.size())});
+}
+
+void RangeSpace::pack(const double* G, std::span<const char> dropped) {
+  double* g = G_.data();
+  char* counts = counts_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k, counts += 2) {
+    const Node& node = nodes_[k];
+    for (int i = 0; i < 2; ++i)
+      counts[i] = node.row[i] >= 0 && dropped[at(node.row[i])] == 0 ? 1 : 0;
+    for (int p = node.part; p < nodes_[k + 1].part; ++p)
+      for (int i = 0; i < 2; ++i, g += 3) {
+        if (counts[i] == 0) {
+          g[0] = g[1] = g[2] = 0.0;
+          continue;
+        }
+        const double* source = G + parts_[at(p)].source[i];
+        g[0] = source[0];
+        g[1] = source[1];
+        g[2] = source[2];
+      }
+  }
+}
+
+void RangeSpace::assemble() {
+  double* S = factors_->values();
+  for (const int place : fill_) std::fill_n(S + place, 4, 0.0);
+  const double* g = G_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    double first = 0.0, mixed = 0.0, second = 0.0;
+    for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6) {
+      const double* w = mobility_.data() + parts_[at(p)].dof;
+      const double u[6] = {g[0] * w[0], g[1] * w[1], g[2] * w[2],
+                           g[3] * w[0], g[4] * w[1], g[5] * w[2]};
+      first += u[0] * g[0] + u[1] * g[1] + u[2] * g[2];
+      mixed += u[3] * g[0] + u[4] * g[1] + u[5] * g[2];
+      second += u[3] * g[3] + u[4] * g[4] + u[5] * g[5];
+      for (int i = parts_[at(p)].product; i < parts_[at(p) + 1].product; ++i) {
+        const Product& product = products_[at(i)];
+        const double* h = G_.data() + 6 * product.part;
+        const double add[4] = {
+            h[0] * u[0] + h[1] * u[1] + h[2] * u[2], h[0] * u[3] + h[1] * u[4] + h[2] * u[5],
+            h[3] * u[0] + h[4] * u[1] + h[5] * u[2], h[3] * u[3] + h[4] * u[4] + h[5] * u[5]};
+        double* s = S + product.place;
+        for (int j = 0; j < 4; ++j) s[j] = product.first ? add[j] : s[j] + add[j];
+      }
+    }
+    if (counts_[2 * k] == 0) first = 1.0;
+    if (counts_[2 * k + 1] == 0) second = 1.0;
+    double* s = S + nodes_[k].place;
+    s[0] = diagonal_[2 * k] = first;
+    s[1] = s[2] = mixed;
+    s[3] = diagonal_[2 * k + 1] = second;
+  }
+}
+
+bool RangeSpace::factorise(const double* G, std::span<const char> dropped) {
+  pack(G, dropped);
+  assemble();
+  return factors_->factorise(least_pivot);
+}
+
+/// x = G a - gamma; where rows do not count, their multipliers.
+void RangeSpace::start(const double* gamma) {
+  const double* g = G_.data();
+  const char* counts = counts_.data();
+  double* x = x_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k, counts += 2, x += 2) {
+    const Node& node = nodes_[k];
+    double first = 0.0, second = 0.0;
+    for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6) {
+      const double* a = a_.data() + parts_[at(p)].dof;
+      first += g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
+      second += g[3] * a[0] + g[4] * a[1] + g[5] * a[2];
+    }
+    x[0] = counts[0] != 0 ? first - gamma[node.row[0]] : gamma[node.row[0]];
+    x[1] = counts[1] != 0     ? second - gamma[node.row[1]]
+           : node.row[1] >= 0 ? gamma[node.row[1]]
+                              : 0.0;
+  }
+}
+
+/// The same of what is left to do, and how large it is in parts of its terms.
+double RangeSpace::find_misfit(const double* gamma) {
+  double largest = 0.0;
+  const double* g = G_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    const Node& node = nodes_[k];
+    double sum[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
+    for (int p = node.part; p < nodes_[k + 1].part; ++p) {
+      const double* a = a_.data() + parts_[at(p)].dof;
+      for (int i = 0; i < 2; ++i, g += 3) {
+        const double term[3] = {g[0] * a[0], g[1] * a[1], g[2] * a[2]};
+        sum[i] += term[0] + term[1] + term[2];
+        size[i] += std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]);
+      }
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t x = 2 * k + i;
+      if (counts_[x] == 0) {
+        x_[x] = 0.0;
+        continue;
+      }
+      const double right = gamma[node.row[i]];
+      x_[x] = sum[i] - right;
+      const double scale =
+          size[i] + std::abs(right) + share_of_reaction * diagonal_[x] * std::abs(lambda_[x]);
+      if (!(std::abs(x_[x]) <= largest * scale)) largest = std::abs(x_[x]) / scale;
+    }
+  }
+  return largest;
+}
+
+/// lambda and a by what the misfit x asks for.
+void RangeSpace::correct() {
+  factors_->solve(x_.data());
+  const double* g = G_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    const double u = x_[2 * k], v = x_[2 * k + 1];
+    lambda_[2 * k] += u;
+    lambda_[2 * k + 1] += v;
+    for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6) {
+      double* a = a_.data() + parts_[at(p)].dof;
+      const double* w = mobility_.data() + parts_[at(p)].dof;
+      a[0] -= w[0] * (g[0] * u + g[3] * v);
+      a[1] -= w[1] * (g[1] * u + g[4] * v);
+      a[2] -= w[2] * (g[2] * u + g[5] * v);
+    }
+  }
+}
+
+/// What only rounding is left of was the rounding of forces in balance: what does not move rests to the last bit.
+void RangeSpace::refine() {
+  std::ranges::copy(a_, before_.begin());
+  correct();
+  for (std::size_t i = 0; i < a_.size(); ++i)
+    if (std::abs(a_[i]) <= rounding_left * std::abs(before_[i])) a_[i] = 0.0;
+}
+
+void RangeSpace::solve(double* b) {
+  const double* gamma = b + dofs_;
+  for (std::size_t i = 0; i < a_.size(); ++i) a_[i] = mobility_[i] * b[i];
+  std::ranges::fill(lambda_, 0.0);
+  start(gamma);
+  correct();
+  const int refinements = factors_->smallest_pivot() < one_refinement ? 2 : 1;
+  for (int i = 0; i < refinements && find_misfit(gamma) > misfit_allowed; ++i) refine();
+  std::ranges::copy(a_, b);
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k)
+    for (int i = 0; i < 2; ++i)
+      if (const int row = nodes_[k].row[i]; row >= 0) b[dofs_ + row] = lambda_[2 * k + at(i)];
+}
+
+}  // namespace yoke

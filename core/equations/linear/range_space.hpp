@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The saddle system solved in the range space of the constraints,
+//
+//   S lambda = G M^-1 Q - gamma,   a = M^-1 (Q - G^T lambda),   S = G M^-1 G^T
+//
+// S has two rows for a joint where the saddle matrix has eight for a joint and its body, and is positive
+// definite. What it loses are digits where light bodies sit between heavy ones: there its condition is
+// that of the masses; and an acceleration that is zero comes out as the rounding of its forces. What is left
+// of G a = gamma tells, and a step of refinement on the saddle system gives the digits back.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <yoke/core/equations/linear/saddle_layout.hpp>
+#include <yoke/core/equations/linear/symmetric_blocks.hpp>
+
+namespace yoke {
+
+class RangeSpace {
+ public:
+  /// Null where a body lacks mass, or elimination by blocks takes more than `most` multiplications.
+  static std::unique_ptr<RangeSpace> by_blocks(const SaddleLayout& layout, double most);
+  /// S by KLU; null where a body lacks mass.
+  static std::unique_ptr<RangeSpace> by_klu(const SaddleLayout& layout);
+
+  /// With the blocks `G`, without the rows marked in `dropped` [rows]. False where S is not well enough
+  /// conditioned, or a number is not finite. Allocates nothing by blocks.
+  bool factorise(const double* G, std::span<const char> dropped);
+  void solve(double* b);  ///< in place, b [dofs + rows]
+  void reset() { factors_->reset(); }
+  double multiplications() const { return multiplications_; }  ///< of one factorisation by blocks
+
+ private:
+  struct Part {  // of two rows of a constraint, the columns of a body
+    int dof;
+    int source[2];  // of these rows in the array of blocks, -1: none
+    int product;    // first one
+  };
+  struct Product {  // with a part of later rows for the same body
+    int part;
+    int place;   // of what both contribute to, in values of S
+    bool first;  // nothing has been put there before
+  };
+  struct Node {  // two rows of S, the second may be empty
+    int row[2];  // -1: none
+    int part;    // first one
+    int place;   // of the diagonal block in values of S
+  };
+
+  RangeSpace() = default;
+  static std::unique_ptr<RangeSpace> lay_out(const SaddleLayout& layout, double most, bool klu);
+  void add_nodes(const SaddleLayout& layout);
+  std::vector<std::pair<int, int>> pairs();
+  void put_in_order(const std::vector<int>& order);
+  void find_products();
+  void pack(const double* G, std::span<const char> dropped);
+  void assemble();
+  void start(const double* gamma);
+  double find_misfit(const double* gamma);
+  void correct();
+  void refine();
+
+  int dofs_ = 0;
+  std::vector<double> mobility_;  // [dofs] M^-1
+  std::vector<Node> nodes_;       // and one behind the last
+  std::vector<Part> parts_;       // and one behind the last
+  std::vector<Product> products_;
+  std::vector<int> fill_;         // places where nothing is put
+  std::vector<double> G_;         // [6 for each part] two rows of three
+  std::vector<char> counts_;      // [2 for each node] rows that are equations
+  std::vector<double> diagonal_;  // [2 for each node] of S
+  std::vector<double> a_, before_, lambda_, x_;
+  std::unique_ptr<SymmetricFactors> factors_;
+  double multiplications_ = 0.0;
+};
+
+}  // namespace yoke

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// The one place that solves
+//
+//   [ M  G^T ] [ a      ]   [ Q     ]
+//   [ G  0   ] [ lambda ] = [ gamma ]
+//
+// KLU on this matrix is the solver of record; elimination in the range space is faster and used where it
+// is as accurate, by its own account.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <yoke/core/equations/linear/linear_solver.hpp>
+#include <yoke/core/equations/linear/saddle_layout.hpp>
+#include <yoke/core/equations/linear/sparse.hpp>
+
+namespace yoke {
+
+class RangeSpace;
+
+class SaddleSolver {
+ public:
+  /// What `layout` points to must outlive it.
+  SaddleSolver(SaddleLayout layout, LinearSolver choice);
+  ~SaddleSolver();
+
+  /// With the blocks `G`, without the rows marked in `dropped` [rows]. False: singular, or a number is
+  /// not finite.
+  bool factorise(const double* G, std::span<const char> dropped);
+  /// In place, b [dofs + rows]. Call after a successful factorise(); the blocks may have changed since.
+  void solve(double* b);
+  /// The saddle matrix with these blocks; its pattern never changes.
+  const SparseMatrix& matrix(const double* G, std::span<const char> dropped);
+  /// Forgets pivots: equal inputs give equal bits from here.
+  void reset();
+  /// Are the equations far from dependent, by the last factorise()?
+  bool well_conditioned() const;
+  const FactorCounters& counters() const { return counters_; }
+  /// What is used as long as it is accurate.
+  LinearSolver in_use() const;
+
+ private:
+  struct Stamp {
+    int entry;  // in the blocks of G
+    int lower;  // slot of G
+    int upper;  // slot of G^T
+  };
+  void build_matrix();
+  void choose(LinearSolver choice);
+  SparseLU& klu();
+
+  SaddleLayout layout_;
+  std::unique_ptr<RangeSpace> range_;
+  bool range_is_klu_ = false;
+  bool by_range_ = false;  // are the present factors its?
+  SparseMatrix matrix_;
+  std::vector<Stamp> stamps_;
+  std::vector<int> switch_diagonal_;  // slots of the rows that count at times
+  std::optional<SparseLU> lu_;        // made when it is needed
+  FactorCounters counters_;
+};
+
+}  // namespace yoke

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright 2026 the Yoke authors
+//
+// Elimination in the range space, by blocks and by KLU, against a dense solution in extended precision, with
+// KLU on the saddle matrix beside.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <yoke/core/equations/dynamics.hpp>
+#include <yoke/core/equations/linear/index.hpp>
+#include <yoke/core/units.hpp>
+#include <yoke/joints/drivers/angle_driver.hpp>
+#include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/prismatic.hpp>
+#include <yoke/joints/revolute.hpp>
+#include <yoke/joints/weld.hpp>
+
+namespace {
+
+using namespace yoke;
+using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+struct Kind {
+  int bodies;
+  int loops;              // joints beyond those of the tree
+  double decades;         // of the masses
+  bool same_hub = false;  // all on one body
+};
+
+/// Bodies on joints of all kinds at random places, each on one before it; then loops.
+Model random_mechanism(const Kind& kind, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  Model model;
+  std::vector<BodyId> bodies{ground};
+  const auto point = [&] { return Vec2(uniform(-1.0, 1.0), uniform(-1.0, 1.0)); };
+  for (int i = 0; i < kind.bodies; ++i) {
+    const double mass = std::pow(10.0, uniform(-0.5, 0.5) * kind.decades);
+    const BodyId body = model.add(Body{.name = fmt::format("body {}", i),
+                                       .mass = mass,
+                                       .inertia = mass * uniform(0.05, 0.2),
+                                       .pose = {point(), uniform(-3.0, 3.0)},
+                                       .twist = {point(), uniform(-2.0, 2.0)}});
+    const BodyId on = kind.same_hub && i > 0 ? bodies[1] : bodies[random() % bodies.size()];
+    const std::string name = fmt::format("joint {}", i);
+    switch (random() % 6) {
+      case 0:
+        model.add(Prismatic{.name = name, .a = on, .b = body, .along = point()});
+        break;
+      case 1:
+        model.add(Weld{.name = name, .a = on, .b = body, .at = point()});
+        break;
+      default:
+        model.add(Revolute{.name = name, .a = on, .b = body, .at = point()});
+    }
+    bodies.push_back(body);
+  }
+  model.add(AngleDriver{.name = "motor", .body = bodies.back(), .angle = constant_speed(0.0, 3.0)});
+  for (int i = 0; i < kind.loops; ++i) {
+    const auto a = random() % bodies.size(), b = random() % bodies.size();
+    if (a != b)
+      model.add(Revolute{
+          .name = fmt::format("loop {}", i), .a = bodies[a], .b = bodies[b], .at = point()});
+  }
+  model.add(Gravity{});
+  return model;
+}
+
+struct Answer {
+  Eigen::VectorXd a, lambda;
+  LinearSolver used;
+};
+
+Answer solve_by(const Model& model, const State& start, LinearSolver solver) {
+  Dynamics dynamics(model, solver);
+  State state = start;
+  REQUIRE(dynamics.calc_accelerations(state));
+  return {state.a, state.lambda, dynamics.saddle().in_use()};
+}
+
+/// Accelerations and multipliers in extended precision, and how far the equations are from dependent: the
+/// reciprocal condition of G M^-1 G^T with a diagonal of ones.
+struct Reference {
+  Extended x;
+  double independence;
+};
+
+Reference reference_of(const Model& model, State state) {
+  Dynamics dynamics(model, LinearSolver::klu);
+  if (!dynamics.calc_accelerations(state)) return {{}, 0.0};
+  const SparseMatrix& sparse = dynamics.matrix();
+  const int n = dynamics.system().dofs(), rows = dynamics.system().rows();
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(sparse.size, sparse.size);
+  for (int j = 0; j < sparse.size; ++j)
+    for (int k = sparse.column_start[at(j)]; k < sparse.column_start[at(j) + 1]; ++k)
+      dense(sparse.row[at(k)], j) = sparse.value[at(k)];
+  // The right-hand side of the solution there is, to extended precision: small errors of it are those of
+  // another system close by, which all are compared with.
+  Extended b = Extended::Zero(sparse.size);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(n + 1), gamma = Eigen::VectorXd::Zero(rows);
+  System& system = dynamics.system();
+  system.add_forces(force.data(), nullptr, nullptr);
+  for (const ConstraintSlot& c : system.constraints())
+    system.evaluate(c, {.gamma = gamma.data() + c.row});
+  for (int i = 0; i < n; ++i) b[i] = force[i];
+  for (int i = 0; i < rows; ++i) b[n + i] = gamma[i];
+  const Eigen::MatrixXd G = dense.bottomLeftCorner(rows, n);
+  const Eigen::MatrixXd S =
+      G * dense.topLeftCorner(n, n).diagonal().cwiseInverse().asDiagonal() * G.transpose();
+  const Eigen::VectorXd d = S.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd eigenvalues = Eigen::MatrixXd(d.asDiagonal() * S * d.asDiagonal())
+                                          .selfadjointView<Eigen::Lower>()
+                                          .eigenvalues();
+  return {dense.cast<long double>().fullPivLu().solve(b), eigenvalues[0] / eigenvalues[rows - 1]};
+}
+
+double error_of(const Answer& answer, const Extended& x) {
+  const Eigen::Index n = answer.a.size();
+  const Extended a = answer.a.cast<long double>() - x.head(n);
+  const Extended lambda = answer.lambda.cast<long double>() - x.tail(x.size() - n);
+  return static_cast<double>(
+      std::max(a.cwiseAbs().maxCoeff() / x.head(n).cwiseAbs().maxCoeff(),
+               lambda.cwiseAbs().maxCoeff() / x.tail(x.size() - n).cwiseAbs().maxCoeff()));
+}
+
+}  // namespace
+
+TEST_CASE("every linear solver gives the accelerations and multipliers of random mechanisms") {
+  const std::vector<Kind> kinds = {{1, 0, 0.0},  {2, 0, 1.0},  {6, 0, 1.0},
+                                   {6, 1, 1.0},  {12, 2, 1.0}, {12, 0, 6.0},
+                                   {12, 2, 6.0}, {25, 4, 6.0}, {25, 0, 6.0, true}};
+  int judged = 0;
+  for (const Kind& kind : kinds)
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+      const Model model = random_mechanism(kind, seed);
+      const State state = model.start_state();
+      const Reference reference = reference_of(model, state);
+      if (reference.independence < 1e-9) continue;  // rows that depend on each other
+      INFO(kind.bodies, " bodies, ", kind.loops, " loops, ", kind.decades, " decades, seed ", seed,
+           ", ", reference.independence);
+      const double klu = error_of(solve_by(model, state, LinearSolver::klu), reference.x);
+      for (const LinearSolver solver : {LinearSolver::range_klu, LinearSolver::blocks}) {
+        const Answer answer = solve_by(model, state, solver);
+        CHECK(answer.used == solver);
+        const double error = error_of(answer, reference.x);
+        INFO(name_of(solver), " ", error, ", KLU ", klu);
+        CHECK(error < std::max(1e-12, 10.0 * klu));
+      }
+      ++judged;
+    }
+  CHECK(judged > 200);
+}
