@@ -27,11 +27,12 @@ namespace yoke {
 class LinearPlant {
  public:
   /// `inputs` are changeable parameters ("motor.torque"), `outputs` columns of the samples
-  /// ("slider.x_m", "hinge.fx_N"). Assembles `start`, or the model's own start, once, to find redundant
-  /// equations. Throws ModelError if that fails, for an unknown name, for an input that sets a motion,
-  /// and for a model larger than largest_linearisation.
+  /// ("slider.x_m", "hinge.fx_N"). Assembles `start` once, to find redundant equations. Throws
+  /// ModelError if that fails, for an unknown name, for an input that sets a motion, and for a model
+  /// larger than largest_linearisation.
   LinearPlant(const Model& model, const State& start, const std::vector<std::string>& inputs,
               const std::vector<std::string>& outputs);
+  /// The same from the model's own start.
   LinearPlant(const Model& model, const std::vector<std::string>& inputs,
               const std::vector<std::string>& outputs);
   ~LinearPlant();
@@ -41,7 +42,8 @@ class LinearPlant {
   /// About `state`, which is moved to the nearest state on the constraints; contacts as they are. A is
   /// exact; B, C and D are central differences of forces and of outputs on the constraints, exact where
   /// these are linear, else to about 1e-9 of their size. Allocates nothing, but where the matrix of
-  /// the accelerations needs new pivots or friction that takes hold changes the number of degrees of freedom.
+  /// the accelerations needs new pivots, and where friction that takes hold changes the number of
+  /// degrees of freedom.
   /// Throws ModelError for a state of another model or off the constraints, and as linearise().
   void at(const State& state);
 
