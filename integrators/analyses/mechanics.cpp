@@ -2,7 +2,6 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/mechanics.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/core/equations/least_change.hpp>
 #include <yoke/core/error.hpp>
+#include <yoke/integrators/analyses/reduction/allowed_motions.hpp>
 
 namespace yoke {
 
@@ -28,16 +28,16 @@ struct Mechanics::Equations {
   bool known = false, has_null_space = false;
   int n, rows, freedom = 0;
   Eigen::VectorXd mass, metric, phi, off, gamma, Q, unloaded, collected, b, x;
-  Eigen::MatrixXd G, scaled, N;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  Eigen::RowVectorXd scratch;
+  Eigen::MatrixXd G, N;
+  AllowedMotions allowed;
 };
 
 Mechanics::Equations::Equations(const Model& model)
     : dynamics(model),
       state(model.start_state()),
       n(dynamics.system().dofs()),
-      rows(dynamics.system().rows()) {
+      rows(dynamics.system().rows()),
+      allowed(n, rows) {
   if (const Outcome outcome = dynamics.assemble(state); !outcome) throw ModelError(outcome.why);
   const System& system = dynamics.system();
   freedom = n - rows + static_cast<int>(system.dropped_rows().size());
@@ -55,10 +55,7 @@ Mechanics::Equations::Equations(const Model& model)
   b.setZero(n + rows + 1);
   x.setZero(n + rows + 1);
   G.setZero(rows, n);
-  scaled.setZero(n, rows);
   N.setZero(n, freedom);
-  scratch.setZero(freedom);
-  qr = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(n, rows);
 }
 
 void Mechanics::Equations::evaluate() {
@@ -174,27 +171,15 @@ void Mechanics::accelerations(const Eigen::VectorXd& F, Eigen::VectorXd& a,
   lambda = e.x.segment(e.n, e.rows);
 }
 
-// Q2 of G^T = Q R in coordinates in which the metric is 1, by its Householder vectors one by one:
-// Eigen's product allocates.
 const Eigen::MatrixXd& Mechanics::null_space() {
   Equations& e = *equations_;
   e.require_known();
   if (e.has_null_space) return e.N;
-  for (int i = 0; i < e.n; ++i) e.scaled.row(i) = e.G.col(i).transpose() / std::sqrt(e.metric[i]);
-  for (const int row : e.dynamics.system().dropped_rows()) e.scaled.col(row).setZero();
-  e.N.setZero();
-  e.N.bottomRows(e.freedom).setIdentity();
-  if (e.rows > 0) {
-    e.qr.compute(e.scaled);
-    for (int k = std::min(e.rows, e.n) - 1; k >= 0; --k) {
-      const double tau = e.qr.hCoeffs()[k];
-      const auto v = e.qr.matrixQR().col(k).tail(e.n - k - 1);
-      e.scratch = e.N.row(k);
-      for (int j = 0; j < e.freedom; ++j) e.scratch[j] += v.dot(e.N.col(j).tail(e.n - k - 1));
-      e.N.row(k) -= tau * e.scratch;
-      for (int j = 0; j < e.freedom; ++j) e.N.col(j).tail(e.n - k - 1) -= (tau * e.scratch[j]) * v;
-    }
-  }
+  Eigen::MatrixXd& scaled = e.allowed.transpose();
+  for (int i = 0; i < e.n; ++i) scaled.row(i) = e.G.col(i).transpose() / std::sqrt(e.metric[i]);
+  for (const int row : e.dynamics.system().dropped_rows()) scaled.col(row).setZero();
+  e.allowed.factorise();
+  e.allowed.write_basis(e.N);
   for (int i = 0; i < e.n; ++i) e.N.row(i) /= std::sqrt(e.metric[i]);
   e.has_null_space = true;
   return e.N;

@@ -153,12 +153,8 @@ void sort_by_frequency(std::vector<Mode>& list) {
 Linearisation linearise(const Model& model, const State& given) {
   check_model(model);
   check_state(model, given);
+  check_linearisable(model);
   Dynamics dynamics(model);
-  const System& system = dynamics.system();
-  if (system.dofs() + system.states() > largest_linearisation)
-    throw ModelError(fmt::format(
-        "linearisation: {} coordinates and element states; dense matrices are made for at most {}",
-        system.dofs() + system.states(), largest_linearisation));
   Linearisation l;
   l.state = given;
   if (const Outcome outcome = dynamics.assemble(l.state); !outcome) throw ModelError(outcome.why);

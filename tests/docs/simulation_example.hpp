@@ -255,4 +255,19 @@ StateSpace plant(const Model& model) {
   return state_space(model, model.start_state(), {"motor.fx"}, {"carriage.x_m"});
 }
 
+// The carriage's acceleration for a newton more of the motor [m/s^2], looked at every 10 ms of a run in which
+// the motor pushes and the load swings: the least.
+double weakest_answer(const Model& model, double until) {
+  Simulation run(model, {.until = until, .samples = 0});
+  LinearPlant plant(model, {"motor.fx"}, {"carriage.x_m"});
+  run.set("motor.fx", 20.0);
+  double least = 1e300;
+  while (!run.ended()) {
+    plant.at(run.state());
+    least = std::min(least, (plant.C() * plant.A() * plant.B())(0, 0));
+    run.advance_to(std::min(until, run.time() + 0.01));
+  }
+  return least;
+}
+
 }  // namespace simulation_example

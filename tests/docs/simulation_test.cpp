@@ -2,6 +2,7 @@
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <yoke/tests/docs/simulation_example.hpp>
@@ -64,6 +65,18 @@ TEST_CASE("docs/simulation.md: matrices of the crane") {
   const double at_once = (plant.C * plant.A * plant.B)(0, 0);
   const double held = 2.5 - 0.5 * 0.5 * 0.4 * 0.4 / (1.0e-3 + 0.5 * 0.4 * 0.4);
   CHECK(at_once == doctest::Approx(1.0 / held).epsilon(1e-8));
+  // The farther the load swings, the more of it is pushed along.
+  Simulation run(crane, {.until = 0.5, .samples = 0});
+  run.set("motor.fx", 20.0);
+  double swing = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    run.advance_to(0.01 * i);
+    swing = std::max(swing, std::abs(run.get("load.angle_rad")));
+  }
+  CHECK(swing > 0.5);
+  const double pushed = 2.5 - std::pow(0.5 * 0.4 * std::cos(swing), 2) / (1.0e-3 + 0.5 * 0.4 * 0.4);
+  CHECK(simulation_example::weakest_answer(crane, 0.5) ==
+        doctest::Approx(1.0 / pushed).epsilon(1e-6));
 }
 
 TEST_CASE("docs/simulation.md: motors that are switched, walls that are changed") {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// The commands printed in the how-tos are run here, one after the other, in a folder of their own; and
-// what a page prints as their answer is their answer.
+// The commands printed in the documents are run here, one after the other, in a folder of their own; and
+// what a how-to prints as their answer is their answer.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
@@ -25,10 +25,11 @@ struct Answer {
   std::string text;
 };
 
-/// A command line that begins with "yoke", in `folder`; both streams of its output.
+/// A command line in `folder`, which is the home too; both streams of its output. "yoke" is the one
+/// built.
 Answer run(const fs::path& folder, const std::string& line) {
-  const std::string command = "cd '" + folder.string() + "' && '" YOKE_BINARY_DIR "/" +
-                              line.substr(0, 4) + "'" + line.substr(4) + " 2>&1";
+  const std::string command = "export HOME='" + folder.string() +
+                              "' PATH=\"" YOKE_BINARY_DIR ":$PATH\"; cd && { " + line + "; } 2>&1";
   Answer answer;
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -68,6 +69,21 @@ bool has_in_order(const std::string& text, const std::string& printed) {
   return true;
 }
 
+/// Runs the commands of a page that begin with "yoke", and the folders they write into.
+int run_commands(const fs::path& document, const fs::path& folder) {
+  int commands = 0;
+  for (const std::string& block : code_blocks(document, "sh"))
+    for (const std::string& printed : lines_of(block)) {
+      const std::string line = without_dev(printed);
+      if (!line.starts_with("yoke ") && !line.starts_with("mkdir ")) continue;
+      const Answer answer = run(folder, line.substr(0, line.find(" #")));
+      INFO(document.string() << ": " << line << "\n" << answer.text);
+      CHECK(answer.code == 0);
+      ++commands;
+    }
+  return commands;
+}
+
 }  // namespace
 
 TEST_CASE("docs/start.md, docs/howto/: every command runs, and answers what the page says") {
@@ -88,16 +104,28 @@ TEST_CASE("docs/start.md, docs/howto/: every command runs, and answers what the 
       }
       ++answers;
     }
-    for (const std::string& block : code_blocks(document, "sh"))
-      for (const std::string& printed : lines_of(block)) {
-        const std::string line = without_dev(printed);
-        if (!line.starts_with("yoke ")) continue;
-        const Answer answer = run(folder.path(), line.substr(0, line.find(" #")));
-        INFO(document.string() << ": " << line << "\n" << answer.text);
-        CHECK(answer.code == 0);
-        ++commands;
-      }
+    commands += run_commands(document, folder.path());
   }
   CHECK(commands >= 20);
   CHECK(answers >= 3);
+}
+
+TEST_CASE(
+    "docs/fmu.md, friction.md, numerics.md, program.md, README.md with report.md: every command runs") {
+  const auto commands = [](const std::vector<const char*>& pages, const TemporaryFolder& folder) {
+    int count = 0;
+    for (const char* page : pages) count += run_commands(page, folder.path());
+    return count;
+  };
+  const TemporaryFolder fmu, friction, numerics, program, report;
+  CHECK(commands({"docs/fmu.md"}, fmu) == 2);
+  for (const char* file : {"slider_crank.fmu", "engine.fmu"})
+    CHECK(fs::file_size(fmu.path() / file) > 1000);
+  CHECK(commands({"docs/friction.md"}, friction) >= 5);
+  CHECK(commands({"docs/numerics.md"}, numerics) >= 3);
+  CHECK(commands({"docs/program.md"}, program) >= 4);
+  for (const char* file : {"bash-completion/completions/yoke", "zsh/site-functions/_yoke"})
+    CHECK(fs::file_size(program.path() / ".local/share" / file) > 1000);
+  CHECK(commands({"README.md", "docs/report.md"}, report) >=
+        6);  // one works on what the other has written
 }

@@ -40,8 +40,9 @@ constexpr Examples examples[] = {
      "  yoke fmu slider_crank --set crank=100mm -o engine.fmu\n"},
     {"new", "  yoke new my_mechanism\n"},
     {"completion",
+     "  mkdir -p ~/.local/share/bash-completion/completions ~/.local/share/zsh/site-functions\n"
      "  yoke completion bash > ~/.local/share/bash-completion/completions/yoke\n"
-     "  yoke completion zsh > ~/.zfunc/_yoke\n"},
+     "  yoke completion zsh > ~/.local/share/zsh/site-functions/_yoke\n"},
     {"man", "  yoke man > yoke.1 && man ./yoke.1\n"},
     {"study", "  yoke study scotch_yoke\n"},
     {"validate", "  yoke validate --help\n"},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -82,6 +83,18 @@ std::string filled_in(std::string text, std::string_view mark, std::string_view 
   return text;
 }
 
+/// What CMake must be told to find the Yoke that this program belongs to. It looks itself in /usr and
+/// beside the folders of PATH.
+std::string where_yoke_is() {
+  std::error_code unknown;
+  const fs::path bin = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  const char* listed = std::getenv("PATH");
+  const std::string path = fmt::format(":{}:", listed != nullptr ? listed : "");
+  if (bin.filename() != "bin" || path.find(fmt::format(":{}:", bin.string())) != path.npos)
+    return {};
+  return fmt::format(" -DCMAKE_PREFIX_PATH={}", bin.parent_path().string());
+}
+
 int make_project(const std::string& path) {
   const fs::path folder = fs::path(path).lexically_normal();
   const std::string name = folder.filename().string();
@@ -107,8 +120,8 @@ int make_project(const std::string& path) {
   }
   fmt::print(
       "{0}: CMakeLists.txt, main.cpp, README.md\n"
-      "next: cd {0} && cmake -B build && cmake --build build && ./build/{1}\n",
-      folder.string(), name);
+      "next: cd {0} && cmake -B build{2} && cmake --build build && ./build/{1}\n",
+      folder.string(), name, where_yoke_is());
   return exit_ok;
 }
 

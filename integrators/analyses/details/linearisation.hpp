@@ -11,6 +11,8 @@
 
 namespace yoke {
 
+/// Throws ModelError for a model larger than largest_linearisation.
+void check_linearisable(const Model& model);
 /// `share` [forces] as in calc_tangent().
 Linearisation linearise_at(Dynamics& dynamics, const State& state,
                            std::span<const double> share = {});

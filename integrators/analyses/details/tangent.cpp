@@ -2,10 +2,10 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/analyses/details/tangent.hpp>
 
-#include <algorithm>
 #include <vector>
 
 #include <yoke/core/equations/linear/index.hpp>
+#include <yoke/integrators/analyses/reduction/element_blocks.hpp>
 
 namespace yoke {
 
@@ -45,44 +45,24 @@ struct ForceEntries {
   Entries Q_q, Q_v, Q_z, z_q, z_v, z_z;
 };
 
-void add_force(const System& system, const ForceSlot& f, double share, ForceEntries& to) {
-  const std::size_t k = at(f.columns), nz = at(f.states);
-  std::vector<double> Q(k), Q_q(k * k), Q_v(k * k), Q_z(k * nz);
-  std::vector<double> rate(nz), z_q(nz * k), z_v(nz * k), z_z(nz * nz);
-  ForceRequest out{.Q = Q.data(), .dQ_dq = Q_q.data(), .dQ_dv = Q_v.data()};
-  if (nz > 0) {
-    out.dQ_dz = Q_z.data();
-    out.z_dot = rate.data();
-    out.dz_dq = z_q.data();
-    out.dz_dv = z_v.data();
-    out.dz_dz = z_z.data();
-  }
-  f.element->evaluate(system.force_input(f), out);
-  const std::span<const int> dofs = system.dof().subspan(at(f.dofs), k);
+void add_force(const System& system, const ForceSlot& f, const ForceBlocks& blocks, double share,
+               ForceEntries& to) {
+  const std::span<const int> dofs = system.dof().subspan(at(f.dofs), at(f.columns));
   const std::vector<int> own = range(f.z, f.states);
-  to.Q_q.add(dofs, dofs, Q_q.data(), share);
-  to.Q_v.add(dofs, dofs, Q_v.data(), share);
-  to.Q_z.add(dofs, own, Q_z.data(), share);
-  to.z_q.add(own, dofs, z_q.data());
-  to.z_v.add(own, dofs, z_v.data());
-  to.z_z.add(own, own, z_z.data());
+  to.Q_q.add(dofs, dofs, blocks.Q_q.data(), share);
+  to.Q_v.add(dofs, dofs, blocks.Q_v.data(), share);
+  to.Q_z.add(dofs, own, blocks.Q_z.data(), share);
+  to.z_q.add(own, dofs, blocks.z_q.data());
+  to.z_v.add(own, dofs, blocks.z_v.data());
+  to.z_z.add(own, own, blocks.z_z.data());
 }
 
 }  // namespace
 
-std::string follows_reactions(System& system, const State& state) {
+void refuse_loads(System& system, const State& state) {
   system.bind(state);
   system.set_motion(state.t, state.q.data(), state.v.data());
-  system.set_multipliers(state.lambda.data());
-  std::string found;
-  for (const std::size_t i : system.loaded()) {
-    const ForceSlot& f = system.forces()[i];
-    std::vector<double> Q(at(f.columns)), slope(at(f.columns * f.load_rows));
-    f.element->evaluate(system.force_input(f), {.Q = Q.data(), .dQ_dlambda = slope.data()});
-    if (std::ranges::any_of(slope, [](double x) { return x != 0.0; })) found = f.element->name();
-  }
-  system.set_multipliers(nullptr);
-  return found;
+  LoadCheck(system).refuse(system, state.lambda.data());
 }
 
 Tangent calc_tangent(System& system, const State& state, std::span<const double> share) {
@@ -93,26 +73,22 @@ Tangent calc_tangent(System& system, const State& state, std::span<const double>
   system.set_multipliers(lambda.data());
   const int n = system.dofs(), nz = system.states();
   ForceEntries force;
-  for (std::size_t i = 0; i < system.forces().size(); ++i) {
-    const ForceSlot& f = system.forces()[i];
-    const Dependence depends = f.element->dependence();
-    if (!depends.position && !depends.velocity && f.states == 0) continue;
-    add_force(system, f, share.empty() ? 1.0 : share[i], force);
-  }
+  ForceBlocks of_force(system);
+  for (std::size_t i = 0; i < system.forces().size(); ++i)
+    if (const ForceSlot& f = system.forces()[i]; of_force.evaluate(system, f))
+      add_force(system, f, of_force, share.empty() ? 1.0 : share[i], force);
   system.set_multipliers(nullptr);
   Entries K, G, H;
+  ConstraintBlocks of_constraint(system);
   for (const ConstraintSlot& c : system.constraints()) {
-    const std::size_t k = at(c.columns), rows = at(c.rows);
-    std::vector<double> g(rows * k), h(rows * k), stiffness(k * k);
-    system.evaluate(
-        c, {.G = g.data(), .H = h.data(), .K = stiffness.data(), .lambda = lambda.data() + c.row});
-    const std::span<const int> dofs = system.dof().subspan(at(c.dofs), k);
+    of_constraint.evaluate(system, c, lambda.data());
+    const std::span<const int> dofs = system.dof().subspan(at(c.dofs), at(c.columns));
     std::vector<int> equations = range(c.row, c.rows);
     for (int& equation : equations)
       if (system.is_dropped(equation)) equation = -1;
-    G.add(equations, dofs, g.data());
-    H.add(equations, dofs, h.data());
-    K.add(dofs, dofs, stiffness.data());
+    G.add(equations, dofs, of_constraint.G.data());
+    H.add(equations, dofs, of_constraint.H.data());
+    K.add(dofs, dofs, of_constraint.K.data());
   }
   return {.Q_q = force.Q_q.matrix(n, n),
           .Q_v = force.Q_v.matrix(n, n),

@@ -7,7 +7,6 @@
 
 #include <Eigen/SparseCore>
 #include <span>
-#include <string>
 
 #include <yoke/core/equations/system.hpp>
 
@@ -21,9 +20,9 @@ struct Tangent {
   Matrix G, H;           // dPhi/dq and d(G v + Phi_t)/dq [rows x n]; no rows that are dropped
 };
 
-/// Empty, or the name of a force that changes with the reactions at this state, which no block of a
-/// Tangent says.
-std::string follows_reactions(System& system, const State& state);
+/// Throws ModelError if a force changes with the reactions at this state, which no block of a Tangent
+/// says.
+void refuse_loads(System& system, const State& state);
 
 /// At `state`, whose contacts are as they are. `share` [forces]: each force and its derivatives are
 /// multiplied by it; empty: 1.

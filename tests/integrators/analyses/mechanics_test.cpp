@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/analyses/state_space.hpp>
@@ -208,6 +210,30 @@ TEST_CASE("state space of a rod: closed forms") {
                        doctest::Contains("unknown parameter 'motor.speed'"), ModelError);
   CHECK_THROWS_WITH_AS(state_space(model, model.start_state(), {}, {"rod.z_m"}),
                        doctest::Contains("unknown column 'rod.z_m'"), ModelError);
+}
+
+TEST_CASE("a linear plant along a run is the state space at each of its states") {
+  const Model model = slider_crank();
+  const std::vector<std::string> inputs{"motor.torque", "load.fx"};
+  const std::vector<std::string> outputs{"crank.angle_rad", "slider.ax_m_per_s2", "main.fx_N"};
+  Simulation run(model, {.until = 0.3, .samples = 0});
+  LinearPlant plant(model, inputs, outputs);
+  CHECK(plant.state().q == run.state().q);
+  for (const double t : {0.0, 0.1, 0.23}) {
+    run.advance_to(t);
+    plant.at(run.state());
+    CHECK((plant.state().q - run.state().q).norm() < 1e-15);
+    const StateSpace once = state_space(model, run.state(), inputs, outputs);
+    CHECK(once.A == once.about.A);
+    CHECK(plant.basis().isApprox(once.about.basis, 1e-12));
+    CHECK(plant.basis_rate().isApprox(once.about.basis_rate, 1e-11));
+    CHECK(plant.A().isApprox(once.A, 1e-11));
+    CHECK(plant.B().isApprox(once.B, 1e-9));
+    CHECK(plant.C().isApprox(once.C, 1e-7));
+    CHECK(plant.D().isApprox(once.D, 1e-7));
+  }
+  CHECK_THROWS_WITH_AS(plant.at(double_pendulum().start_state()),
+                       "state space: the state has 6 positions, the model 9", ModelError);
 }
 
 TEST_CASE("state space about a motion: what inputs do at once, and to a run") {

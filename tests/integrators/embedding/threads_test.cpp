@@ -11,6 +11,7 @@
 
 #include <yoke/core/control/sampled_controller.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
+#include <yoke/integrators/analyses/state_space.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_torque.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
@@ -37,7 +38,7 @@ Model shared_model(bool contacts) {
   return m;
 }
 
-/// What one thread does: a run with looks, a return and a fork, and the matrices at its end.
+/// What one thread does: a run with looks, a return and a fork, and the matrices behind it.
 std::vector<double> work(const Model& model, const std::string& formulation, double until) {
   Simulation run(model, {.until = until, .formulation = formulation, .samples = 11});
   run.advance_to(0.3 * until);
@@ -50,6 +51,9 @@ std::vector<double> work(const Model& model, const std::string& formulation, dou
   Mechanics mechanics(model);
   mechanics.at(run.state());
   numbers.push_back(mechanics.effective_mass(BodyId{2}, {0.1, 0.2}, {0.6, 0.8}));
+  LinearPlant plant(model, {}, {"t_s"});
+  plant.at(run.state());
+  numbers.insert(numbers.end(), plant.A().data(), plant.A().data() + plant.A().size());
   const Result result = other.finish();
   numbers.insert(numbers.end(), result.samples.data().begin(), result.samples.data().end());
   return numbers;

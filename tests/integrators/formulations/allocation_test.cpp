@@ -9,9 +9,11 @@
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <yoke/contact/disc_on_curve.hpp>
 #include <yoke/contact/laws/dissipative/exact_restitution.hpp>
@@ -19,6 +21,7 @@
 #include <yoke/core/control/sampled_controller.hpp>
 #include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
+#include <yoke/integrators/analyses/state_space.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/gravity.hpp>
@@ -198,6 +201,59 @@ TEST_CASE("mechanics allocate nothing once they are made") {
   }
   CHECK(allocations.load() - before == 0);
   CHECK(std::isfinite(sum));
+}
+
+namespace {
+
+/// Allocations of linearising again and again along a run of `model`.
+long of_linearising(const Model& model, const std::string& input,
+                    const std::vector<std::string>& outputs, double until) {
+  Simulation run(model, {.until = until, .samples = 0});
+  LinearPlant plant(model, {input}, outputs);
+  plant.at(run.state());  // sizes the matrices
+  long sum = 0;
+  while (!run.ended()) {
+    run.advance_to(std::min(until, run.time() + 0.05 * until));
+    const State& state = run.state();
+    const long before = allocations.load();
+    plant.at(state);
+    sum += allocations.load() - before;
+    CHECK(plant.A().allFinite());
+    CHECK(plant.C().norm() > 0.0);
+    CHECK(plant.B().norm() > 0.0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("linearising again and again allocates nothing") {
+  // A contact and element states; a longer chain; rods without mass.
+  Model yoke = scotch_yoke();
+  const BodyId slider = yoke.find_body("slider");
+  const Vec2 at = yoke.body(slider).pose.position;
+  yoke.add(AppliedForce{.name = "push", .body = slider, .at = at, .value = Vec2(1.0, 0.0)});
+  yoke.add(RelaxingSpring{.name = "relaxing", .body = slider});
+  CHECK(of_linearising(yoke, "push.fx", {"slider.x_m", "guide.fy_N"}, yoke_period) == 0);
+
+  for (const double mass : {0.1, 0.0}) {
+    Model chain;
+    BodyId last = ground;
+    for (int i = 0; i < 40; ++i) {
+      const double x = 0.1 * i;
+      const BodyId link = chain.add(Body{.name = "link " + std::to_string(i),
+                                         .mass = i % 2 == 1 ? 0.1 : mass,
+                                         .inertia = i % 2 == 1 ? 1e-3 : 1e-2 * mass,
+                                         .pose = {{x + 0.05, 0.0}, 0.0}});
+      chain.add(
+          Revolute{.name = "pin " + std::to_string(i), .a = last, .b = link, .at = Vec2(x, 0.0)});
+      last = link;
+    }
+    chain.add(Gravity{});
+    chain.add(AppliedForce{
+        .name = "push", .body = BodyId{1}, .at = {0.05, 0.0}, .value = Vec2(0.0, 1.0)});
+    CHECK(of_linearising(chain, "push.fy", {"link 2.y_m", "pin 0.fx_N"}, 0.05) == 0);
+  }
 }
 
 #endif
