@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -22,7 +23,12 @@ namespace {
 
 constexpr int max_error_test_failures = 30;
 constexpr ARKODE_ERKTableID tableau = ARKODE_DORMAND_PRINCE_7_4_5;
-constexpr double stretch = 1.25;  // ARKODE leaves a step that could grow by up to 1.5 as it is
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+constexpr double cautious = 0.8;  // of a step that is planned: behind a restart more are rejected
+constexpr double reached = 1.0 + 1e-9;  // a step that comes so near to a stop ends there
+// Of the polynomial on which ARKODE looks for roots; one more would cost an evaluation in each step, and
+// roots are made exact on steps of our own.
+constexpr int interpolant = 3;
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
 
@@ -51,6 +57,7 @@ class Arkode final : public SundialsStepper {
   bool project(double t, double* y);
   void create(double t);
   void rebase();
+  void set_stop(double t_stop);
 
   bool projects_;
   Baumgarte stabilisation_;
@@ -59,8 +66,9 @@ class Arkode final : public SundialsStepper {
   std::optional<OwnStep> look_step_;  // of looks, with the equations they were given last
   Dynamics* looking_ = nullptr;
   bool base_is_far_ = false;
-  bool goes_on_ = false;       // behind a restart with the step size there was
-  double natural_step_ = 0.0;  // [s] the last one that no stop has cut short
+  bool goes_on_ = false;           // behind a restart with the step size there was
+  double natural_step_ = 0.0;      // [s] one that may be made if no stop cuts it short
+  double planned_step_ = nowhere;  // [s] ARKODE's next one, or nowhere: not known
 };
 
 Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
@@ -82,6 +90,7 @@ void Arkode::create(double t) {
   ERKStepSetTableNum(memory_, tableau);
   ARKodeWFtolerances(memory_, &Arkode::calc_weights);
   ARKodeSetMaxErrTestFails(memory_, max_error_test_failures);
+  ARKodeSetInterpolantDegree(memory_, interpolant);
   if (projects_) ARKodeSetPostprocessStepFn(memory_, &Arkode::project);
   if (guard_.count() > 0) {
     ARKodeRootInit(memory_, guard_.count(), &Arkode::events);
@@ -97,6 +106,7 @@ void Arkode::start(const State& state) {
   end_step();
   base_is_far_ = false;
   natural_step_ = 0.0;
+  planned_step_ = nowhere;
   goes_on_ = false;
   guard_.start(state);
   if (memory_ == nullptr) {
@@ -109,9 +119,7 @@ void Arkode::start(const State& state) {
   set_weights();
 }
 
-// The first step is the one that would have been next, had it not been for the stop; or, as steps
-// that could be this much longer are not made longer, so long that the last to the next stop is as
-// long as the others.
+// Steps to the next stop are then all of one length, no longer than the natural one.
 void Arkode::restart(const State& state) {
   const double h = natural_step_;
   start(state);
@@ -127,19 +135,28 @@ void Arkode::rebase() {
   end_step();
   ARKodeReset(memory_, t_end_, y_);
   t_stop_ = t_end_;  // it has forgotten that too
+  planned_step_ = nowhere;
+}
+
+// ARKODE is told of a stop when the next step reaches it. If it knew before it would plan a step to
+// there, and nobody would learn how long the step could have been.
+void Arkode::set_stop(double t_stop) {
+  double h = std::exchange(planned_step_, nowhere);
+  if (goes_on_) {
+    goes_on_ = false;
+    const double rest = t_stop - t_;
+    h = rest / std::ceil(rest / natural_step_);
+    ARKodeSetInitStep(memory_, h);
+  }
+  if (t_ + reached * h < t_stop) t_stop = nowhere;
+  if (t_stop == t_stop_) return;
+  ARKodeSetStopTime(memory_, t_stop);
+  t_stop_ = t_stop;
 }
 
 Step Arkode::step(double t_stop) {
   if (base_is_far_) rebase();
-  if (t_stop != t_stop_) {
-    ARKodeSetStopTime(memory_, t_stop);
-    t_stop_ = t_stop;
-  }
-  if (goes_on_) {
-    goes_on_ = false;
-    const double rest = t_stop - t_;
-    ARKodeSetInitStep(memory_, rest / std::ceil(rest / (stretch * natural_step_)));
-  }
+  set_stop(t_stop);
   begin_step();
   const int flag = ARKodeEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
   if (flag < 0) {
@@ -157,9 +174,11 @@ Step Arkode::step(double t_stop) {
     collect_events();
     return Step::event;
   }
-  const double made = t_ - t_begin_;
-  if (t_ < t_stop) ARKodeGetCurrentStep(memory_, &natural_step_);
-  natural_step_ = std::max(natural_step_, made);
+  if (t_stop_ == nowhere) {  // at a stop it does not say what it plans
+    ARKodeGetCurrentStep(memory_, &planned_step_);
+    natural_step_ = cautious * planned_step_;
+  }
+  natural_step_ = std::max(natural_step_, t_ - t_begin_);
   accept_step();
   base_is_far_ = is_far_from_base();
   return Step::advanced;

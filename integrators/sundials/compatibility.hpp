@@ -28,6 +28,9 @@ inline int ARKodeSVtolerances(void* m, sunrealtype r, N_Vector a) {
 }
 inline int ARKodeSetMaxNumSteps(void* m, long n) { return ERKStepSetMaxNumSteps(m, n); }
 inline int ARKodeSetMaxErrTestFails(void* m, int n) { return ERKStepSetMaxErrTestFails(m, n); }
+inline int ARKodeSetInterpolantDegree(void* m, int degree) {
+  return ERKStepSetInterpolantDegree(m, degree);
+}
 inline int ARKodeSetPostprocessStepFn(void* m, ARKPostProcessFn f) {
   return ERKStepSetPostprocessStepFn(m, f);
 }
