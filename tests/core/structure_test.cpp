@@ -43,7 +43,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
      {"integrators", "integrators/sundials", "integrators/formulations/equations",
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/details", "integrators/engine",
-      "integrators/analyses"}},
+      "integrators/analyses", "integrators/studies/details", "integrators/studies"}},
     {"cases", {"cases/choices",       "cases/checks",         "cases",
                "cases/clearance",     "cases/impacts",        "cases/friction",
                "cases/slots",         "cases/terminal",       "cases/results",
@@ -57,6 +57,7 @@ constexpr std::size_t largest_room = 24;  // headers and sources: a list that is
 // Inner headers serve one room alone and may see what it publishes.
 const std::map<std::string, std::string> inner_rooms = {
     {"integrators/analyses/details", "integrators/analyses"},
+    {"integrators/studies/details", "integrators/studies"},
     {"contact/details", "contact"},
     {"core/curves/pieces", "core/curves"}};
 
