@@ -8,6 +8,7 @@
 
 #include <yoke/cases/program/request.hpp>
 #include <yoke/cases/program/verb.hpp>
+#include <yoke/cases/sweep/mpi_ranks.hpp>
 #include <yoke/cases/sweep/sweep.hpp>
 #include <yoke/core/error.hpp>
 
@@ -172,6 +173,20 @@ SweepRequest sweep_request(const Case& c, SweepOptions& o) {
   return request;
 }
 
+/// Under mpirun on all of its ranks; else on threads.
+int sweep_on_ranks(const Case& c, SweepOptions& o) {
+  MpiRanks ranks;
+  try {
+    SweepRequest request = sweep_request(c, o);
+    if (ranks.size() > 1) request.executor = ranks.executor(o.run.jobs);
+    request.leads = ranks.rank() == 0;
+    return exit_code(run_sweep(c, request));
+  } catch (const ModelError&) {
+    if (ranks.rank() == 0) throw;
+    return exit_failed;  // rank 0 says the same
+  }
+}
+
 }  // namespace
 
 void add_sweep_verb(CLI::App& app, Action& action) {
@@ -189,7 +204,7 @@ void add_sweep_verb(CLI::App& app, Action& action) {
         throw ModelError(fmt::format("--seed {}: must be at least 0", options->seed));
       check_count(*verb, "--random", options->random);
       check_count(*verb, "--sobol", options->sobol);
-      return exit_code(run_sweep(c, sweep_request(c, *options)));
+      return sweep_on_ranks(c, *options);
     };
   });
 }

@@ -194,6 +194,10 @@ void print_sweep(const Case& c, const SweepRequest& request, const SweepPoints& 
         k >= mechanism_quantities && k < mechanism_quantities + solver_quantities;
     if (e.least == nullptr || of_solver) continue;
     const StudyQuantity& q = study.quantities[k];
+    if (e.least->values[k] == e.most->values[k]) {
+      fmt::print("  {:<28} {:.5g} {}\n", q.name, e.least->values[k], q.unit);
+      continue;
+    }
     fmt::print("  {:<28} {:.5g} {} (point {}) to {:.5g} {} (point {})\n", q.name,
                e.least->values[k], q.unit, e.least->point, e.most->values[k], q.unit,
                e.most->point);

@@ -17,7 +17,8 @@ class Column {
     this.distinct = [...new Set(this.values)].filter((x) => Number.isFinite(x)).sort((a, b) => a - b);
     [this.low, this.high] = this.distinct.length ? [this.distinct[0], this.distinct[this.distinct.length - 1]] : [NaN, NaN];
   }
-  get varies() { return this.distinct.length > 1; }
+  // By more than rounding.
+  get varies() { return this.distinct.length > 1 && (this.axis || this.high - this.low > 1e-9 * Math.max(Math.abs(this.low), Math.abs(this.high))); }
   get label() { return this.unit ? `${this.name} [${this.unit}]` : this.name; }
   text(x, digits = 5) {
     if (this.words.length) return this.words[x];

@@ -9,7 +9,7 @@ class App {
     this.selected = null;
     this.filters = new Map();  // column to [low, high]
     this.colour = this.sweep.main.find((q) => q.varies) || this.sweep.main[0];
-    this.shown = new Set(this.sweep.main.filter((q) => q.varies).slice(0, 6));
+    this.shown = new Set(this.sweep.main.filter((q) => q.varies).slice(0, 8));
     this.shown.add(this.colour);
     this.head();
     this.chooseColumns();
@@ -19,7 +19,13 @@ class App {
     showFailures(this);
     window.addEventListener("resize", () => this.draw());
     document.addEventListener("keydown", (e) => this.key(e));
-    this.draw();
+    this.fromAddress();
+    window.addEventListener("hashchange", () => this.fromAddress());
+  }
+  // report.html#point=12 opens with that point.
+  fromAddress() {
+    const number = Number((location.hash.match(/^#point=(\d+)$/) || [])[1] ?? NaN), row = this.sweep.points.indexOf(number);
+    this.select(row < 0 ? null : row);
   }
   head() {
     const {sweep} = this, part = sweep.rows < sweep.done ? `, ${sweep.rows} of them here` : "";

@@ -40,7 +40,7 @@ class Scale {
     return ticks;
   }
   tickText(x) {
-    if (!this.column.words.length) return short(x, 5);
+    if (!this.column.words.length) return short(x, 5).replace(/\.?0+e/, "e");
     const word = this.column.words[x];
     return word.length > 22 ? word.slice(0, 20) + "\u2026" : word;
   }
