@@ -88,7 +88,8 @@ std::string sweep_summary(const Case& c, const SweepRequest& request, const Swee
   }
   double seconds = 0.0;
   for (const StudyRow& row : study.rows) seconds += row.seconds;
-  json["seconds_of_points"] = seconds;
+  json["seconds_of_points"] = seconds;  // of all processors, resumed ones too
+  json["seconds"] = study.progress.elapsed;
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -5,13 +5,19 @@
 //
 //   tiny_points       100 000 points that do nothing, with a journal, on 1 and 2 threads:
 //                     us_per_point   [us] of the clock; aim: less than 100
-//   sweep_scaling     a slider-crank at 400 points on 1 and 2 threads:
-//                     efficiency     time of one / (2 time of two)
+//   tiny_points_on_ranks   the same under mpirun -n 2, built with MPI; rank 0 prints what counts
+//   sweep_scaling     a slider-crank at 400 points on 1 and 2 threads, medians:
+//                     efficiency     time of one / (2 time of two); aim: 0.95, on two free processors
+//                     to_apart       time of two threads that have half of the points each and nothing in
+//                                    common / time of two: what sharing costs, whatever else runs
+//                     busy           share of the threads' time within points; aim: 0.95
 //   ranks_on_paper    N ranks that share one dispatcher, or dispatchers of 128 ranks each below one above
 //                     them, simulated event by event from the cost of a message and of a row: points of 1 s
 //                     whose times vary by half; 100 points a rank.
 //                     efficiency     of all ranks
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,11 +26,13 @@
 #include <functional>
 #include <queue>
 #include <random>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <yoke/cases/case.hpp>
 #include <yoke/cases/jobs/law_run.hpp>
+#include <yoke/cases/sweep/mpi_ranks.hpp>
 #include <yoke/integrators/studies/study.hpp>
 
 namespace {
@@ -40,59 +48,96 @@ double seconds_of(const auto& work) {
 
 /// A folder that goes away.
 struct Scratch {
-  fs::path path = fs::temp_directory_path() / "yoke-bench-sweep";
-  Scratch() { fs::remove_all(path); }
+  fs::path path = fs::temp_directory_path() / fmt::format("yoke-bench-{}", getpid());
   ~Scratch() { fs::remove_all(path); }
 };
 
-void tiny_points(benchmark::State& state) {
+double seconds_of_tiny_points(StudyOptions options) {
   const StudyPoints points = grid_points({linear_axis("x", 0.0, 1.0, 100000)});
-  const std::vector<StudyQuantity> quantities = {{"a"}, {"b"}, {"c"}, {"d"}};
+  const auto function = [](const StudyPoint& p) {
+    const double x = p["x"];
+    return StudyOutcome{{x, x * x, 1.0 - x, 0.1 * x}};
+  };
+  const Scratch scratch;
+  options.folder = scratch.path;
+  return run_study(points, {{"a"}, {"b"}, {"c"}, {"d"}}, function, options).progress.elapsed;
+}
+
+void tiny_points(benchmark::State& state) {
   double total = 0.0;
-  for (auto _ : state) {
-    const Scratch scratch;
-    total += seconds_of([&] {
-      run_study(points, quantities,
-                [](const StudyPoint& p) {
-                  const double x = p["x"];
-                  return StudyOutcome{{x, x * x, 1.0 - x, 0.1 * x}};
-                },
-                {.jobs = static_cast<int>(state.range(0)), .folder = scratch.path});
-    });
-  }
+  for (auto _ : state) total += seconds_of_tiny_points({.jobs = static_cast<int>(state.range(0))});
   state.counters["us_per_point"] = 1e6 * total / 100000.0 / static_cast<double>(state.iterations());
 }
 BENCHMARK(tiny_points)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->Iterations(3);
 
-double sweep_seconds(int jobs) {
+void tiny_points_on_ranks(benchmark::State& state) {
+  cases::MpiRanks ranks;
+  StudyOptions options{.executor = ranks.executor(1)};
+  options.leads = ranks.rank() == 0;
+  double total = 0.0;
+  for (auto _ : state)
+    if (ranks.size() > 1) total += seconds_of_tiny_points(options);
+  if (ranks.size() == 1) state.SetLabel("start it by mpirun");
+  state.counters["us_per_point"] = 1e6 * total / 100000.0;
+}
+BENCHMARK(tiny_points_on_ranks)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// A slider-crank at 400 points, and what is measured of it.
+struct CrankSweep {
   const cases::Case& c = cases::find_case("slider_crank");
-  const StudyPoints points = grid_points(
+  StudyPoints points = grid_points(
       {linear_axis("crank", 0.02, 0.06, 20, "m"), linear_axis("speed", 100.0, 200.0, 20)});
-  return seconds_of([&] {
-    run_study(points, {{"steps"}},
-              [&](const StudyPoint& p) {
-                const cases::RunRequest request{
-                    .parameters = cases::Parameters(c.parameters, {"crank=" + p.text("crank") + "m",
-                                                                   "speed=" + p.text("speed")}),
-                    .laws = {},
-                    .output = {},
-                    .samples = 101};
-                const cases::LawRun run = cases::run_law(c, request, "", {});
-                return StudyOutcome{{static_cast<double>(run.summary.steps)}};
-              },
-              {.jobs = jobs});
-  });
+
+  StudyOutcome at(const StudyPoint& p) const {
+    const cases::RunRequest request{
+        .parameters = cases::Parameters(
+            c.parameters, {"crank=" + p.text("crank") + "m", "speed=" + p.text("speed")}),
+        .laws = {},
+        .output = {},
+        .samples = 101};
+    const cases::LawRun run = cases::run_law(c, request, "", {});
+    return {{static_cast<double>(run.summary.steps)}};
+  }
+  StudyResult study(int jobs) const {
+    const auto function = [this](const StudyPoint& p) { return at(p); };
+    return run_study(points, {{"steps"}}, function, {.jobs = jobs});
+  }
+  /// Two threads that have nothing to do with each other, each with every second point.
+  double seconds_apart() const {
+    return seconds_of([this] {
+      const auto half = [this](std::size_t first) {
+        for (std::size_t i = first; i < points.size(); i += 2)
+          benchmark::DoNotOptimize(at(StudyPoint(points, i)));
+      };
+      std::jthread other(half, std::size_t{1});
+      half(0);
+    });
+  }
+};
+
+double median(std::vector<double> numbers) {
+  std::ranges::sort(numbers);
+  return numbers[numbers.size() / 2];
 }
 
 void sweep_scaling(benchmark::State& state) {
-  double one = 0.0, two = 0.0;
+  const CrankSweep sweep;
+  std::vector<double> to_one, to_apart, busy;
   for (auto _ : state) {
-    one += sweep_seconds(1);
-    two += sweep_seconds(2);
+    const double one = sweep.study(1).progress.elapsed;
+    const StudyResult study = sweep.study(2);
+    const double two = study.progress.elapsed;
+    double within = 0.0;
+    for (const StudyRow& row : study.rows) within += row.seconds;
+    to_one.push_back(one / (2.0 * two));
+    to_apart.push_back(sweep.seconds_apart() / two);
+    busy.push_back(within / (2.0 * two));
   }
-  state.counters["efficiency"] = one / (2.0 * two);
+  state.counters["efficiency"] = median(to_one);
+  state.counters["to_apart"] = median(to_apart);
+  state.counters["busy"] = median(busy);
 }
-BENCHMARK(sweep_scaling)->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(sweep_scaling)->Unit(benchmark::kMillisecond)->Iterations(9);
 
 /// Ranks that ask one server for points. It serves one message at a time, `message` [s] each and `row` [s] for
 /// each point in it; messages wait in the order in which they come.
