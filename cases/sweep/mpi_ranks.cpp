@@ -18,8 +18,10 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <list>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <yoke/integrators/studies/work_pool.hpp>
@@ -111,6 +113,33 @@ void send_to(int rank, Tag tag, const Bytes& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
 }
 
+/// Messages that do not wait for their receiver: who is sending rows to us does not take points meanwhile.
+class Outbox {
+ public:
+  void send(int rank, Tag tag, Bytes bytes) {
+    std::erase_if(letters_, [](Letter& letter) { return letter.gone(); });
+    Letter& letter = letters_.emplace_back(Letter{std::move(bytes)});
+    MPI_Isend(letter.bytes.data(), static_cast<int>(letter.bytes.size()), MPI_BYTE, rank, tag,
+              MPI_COMM_WORLD, &letter.request);
+  }
+  void wait() {
+    for (Letter& letter : letters_) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
+    letters_.clear();
+  }
+
+ private:
+  struct Letter {
+    Bytes bytes{};
+    MPI_Request request = MPI_REQUEST_NULL;
+    bool gone() {
+      int done = 0;
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      return done != 0;
+    }
+  };
+  std::list<Letter> letters_;  // that stay where they are
+};
+
 /// True if there was one. MPI's own waiting would keep a processor busy.
 bool receive(Message& message) {
   int there = 0, size = 0;
@@ -176,6 +205,7 @@ class Dispatcher {
         --at_work;
       else
         take_in(message);
+    outbox_.wait();
     if (error_) std::rethrow_exception(error_);
   }
 
@@ -251,7 +281,7 @@ class Dispatcher {
         if (n == 0) return;
         for (; n > 0; --n) put<std::uint64_t>(bytes, work_.points[next_++]);
       }
-      send_to(rank, points_tag, bytes);
+      outbox_.send(rank, points_tag, std::move(bytes));
       ++under_way;
     }
   }
@@ -263,6 +293,7 @@ class Dispatcher {
   double seconds_ = 0.0;        // [s] of what was computed
   std::vector<int> under_way_;  // messages, by rank; of the thread that talks
   std::exception_ptr error_;
+  Outbox outbox_;
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ StudyOutcome drop(const StudyPoint& point) {
   const Result run = simulate(m, {.until = 0.2_s, .samples = 201, .contact_rows = 20});
   if (!run.summary.ok()) return {.failure = run.summary.reason};
   const Table rows = run.samples.merged(run.contact_samples);
-  return {.values = {rows["floor.normal_force_N"].maxCoeff(), run.events.at(1).speed}};
+  return {.values = {rows["floor.normal_force_N"].maxCoeff(), -run.events.at(1).speed}};
 }
 
 StudyResult drops(const std::filesystem::path& folder) {

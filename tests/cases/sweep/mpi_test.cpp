@@ -27,10 +27,11 @@ const std::string sweep =
     " sweep slider_crank --samples 11 --vary crank=20mm:60mm:20 --vary speed=100:200:5 "
     "--vary rod=50mm,120mm -q ";
 
-std::string mpirun(const TemporaryFolder& scratch, int ranks, const std::string& arguments) {
+std::string mpirun(const TemporaryFolder& scratch, int ranks, const std::string& arguments,
+                   const char* name = "yoke") {
   return "cd '" + scratch.path().string() +
          "'; export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; exec mpirun -n " +
-         std::to_string(ranks) + " --oversubscribe '" YOKE_BINARY_DIR "/yoke'" + arguments +
+         std::to_string(ranks) + " --oversubscribe '" YOKE_BINARY_DIR "/" + name + "'" + arguments +
          " >log 2>&1";
 }
 
@@ -45,7 +46,45 @@ std::vector<pid_t> below(pid_t parent) {
 
 }  // namespace
 
+// Run by the test behind it, on the ranks of mpirun. Messages are so long that a rank waits for the other to
+// take them: two that send to each other must not wait for ever.
+TEST_CASE("tiny points on ranks" * doctest::skip()) {
+  using namespace yoke;
+  cases::MpiRanks ranks;
+  StudyOptions options{.executor = ranks.executor(1)};
+  options.leads = ranks.rank() == 0;
+  const StudyResult study = run_study(
+      grid_points({linear_axis("x", 0.0, 1.0, 30001)}), {{"a"}, {"b"}, {"c"}},
+      [](const StudyPoint& p) {
+        return StudyOutcome{{p["x"], 2.0 * p["x"], 3.0 * p["x"]}};
+      },
+      options);
+  CHECK(ranks.size() == 2);
+  if (ranks.rank() > 0) return;
+  CHECK(study.complete);
+  bool right = true;
+  for (const StudyRow& row : study.rows)
+    right = right && row.values[2] == 3.0 * study.points.coordinate(row.point, 0);
+  CHECK(right);
+}
+
 TEST_SUITE("sweep") {
+  TEST_CASE("ranks that send to each other do not wait for each other") {
+    if (!yoke::cases::has_mpi) return;
+    const TemporaryFolder scratch;
+    const pid_t run =
+        start(mpirun(scratch, 2, " --no-skip -tc='tiny points on ranks'", "yoke_tests_cases"));
+    int code = -1;
+    for (int i = 0; i < 6000 && code < 0; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      int status = 0;
+      if (waitpid(run, &status, WNOHANG) == run) code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    }
+    if (code < 0) kill(run, SIGTERM);
+    INFO(content(scratch / "log"));
+    CHECK(code == 0);
+  }
+
   TEST_CASE("messages: as many points as are worth their way, few enough to end together") {
     using yoke::cases::points_of_message;
     CHECK(points_of_message(0.0, 100000, 64, 1) == 1);     // nothing is known yet
