@@ -377,6 +377,10 @@ const ContactLaw& WallLaws::operator[](std::string_view wall) const {
   throw ModelError(fmt::format("unknown wall '{}'{}", wall, suggestion(wall, known)));
 }
 
+std::string base_law_name(const ContactChoice& contact) {
+  return contact.laws.empty() ? "" : base_law(contact).name;
+}
+
 std::vector<std::string> choose_laws(const ContactChoice& contact,
                                      const std::vector<std::string>& laws) {
   Texts chosen;

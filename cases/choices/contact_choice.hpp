@@ -67,6 +67,9 @@ struct ContactChoice {
   std::string base{};  // the law that completes half a specification; "": the first of `laws`
 };
 
+/// The name of the law that completes half a specification; "" if there are no laws.
+std::string base_law_name(const ContactChoice& contact);
+
 /// See cases::choose_laws(const Case&, ...).
 std::vector<std::string> choose_laws(const ContactChoice& contact,
                                      const std::vector<std::string>& laws);

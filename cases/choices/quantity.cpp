@@ -69,6 +69,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string_view si_unit_name(Quantity quantity) {
+  for (const Unit& unit : units_of(quantity))
+    if (unit.factor == 1.0 && unit.divisor == 1.0) return unit.name;
+  return "";
+}
+
 std::string accepted_units(Quantity quantity) {
   std::vector<std::string_view> names;
   for (const Unit& unit : units_of(quantity)) names.push_back(unit.name);

@@ -36,6 +36,9 @@ double parse_metres(std::string_view owner, std::string_view text);
 /// A number with 17 significant digits: reading it gives the same number.
 std::string exactly(double value);
 
+/// The unit of the SI value, "" of a number.
+std::string_view si_unit_name(Quantity quantity);
+
 /// "mm, cm, m, um", or "a plain number".
 std::string accepted_units(Quantity quantity);
 

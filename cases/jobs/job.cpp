@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/progress.hpp>
 #include <yoke/cases/jobs/report.hpp>
 #include <yoke/cases/jobs/standard_figures.hpp>
 #include <yoke/cases/report/page.hpp>
 #include <yoke/cases/report/replay.hpp>
 #include <yoke/cases/report/stored.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

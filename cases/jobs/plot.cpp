@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 extern char** environ;
 

@@ -16,6 +16,15 @@ namespace {
 std::atomic<bool> stop_requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
+constexpr double pause_on_terminal = 0.1, pause_elsewhere = 10.0;  // [s] between two lines
+
+/// "50 s", "12 min", "3.5 h".
+std::string duration_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
 void on_signal(int) { stop_requested = true; }
 
 double seconds() {
@@ -61,7 +70,6 @@ void ProgressLine::report(std::size_t index, const Progress& progress) {
     for (; line.events < events.size(); ++line.events)
       if (events[line.events].kind == "onset") ++line.contacts;
   }
-  constexpr double pause_on_terminal = 0.1, pause_elsewhere = 10.0;  // [s]
   if (now - last_draw_ < (terminal_ ? pause_on_terminal : pause_elsewhere)) return;
   last_draw_ = now;
   draw(now);
@@ -89,6 +97,30 @@ void ProgressLine::draw(double now) {
   std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
+}
+
+StudyProgressLine::StudyProgressLine(bool shown)
+    : last_draw_(seconds()), shown_(shown), terminal_(isatty(STDERR_FILENO)) {}
+
+void StudyProgressLine::report(const StudyProgress& p) {
+  if (!shown_) return;
+  const double now = seconds();
+  if (now - last_draw_ < (terminal_ ? pause_on_terminal : pause_elsewhere)) return;
+  last_draw_ = now;
+  std::string text = fmt::format("{:3.0f} %, {} of {} points",
+                                 100.0 * double(p.done) / double(p.total), p.done, p.total);
+  if (p.failed > 0) text += fmt::format(", {} failed", p.failed);
+  if (p.done > p.reused)
+    text += fmt::format(", {:.3g} points/s, {} left", double(p.done - p.reused) / p.elapsed,
+                        duration_text(p.remaining));
+  std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void StudyProgressLine::clear() {
+  if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
 }
 
 std::function<bool(const Progress&)> ProgressLine::observer(std::size_t index) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/studies/study.hpp>
 
 namespace yoke::cases {
 
@@ -50,6 +51,23 @@ class ProgressLine {
   std::vector<Line> lines_;
   std::mutex mutex_;
   double last_draw_;
+  bool shown_, terminal_;
+  bool drawn_ = false;
+};
+
+/// Progress of a study on stderr, in one line on a terminal, elsewhere a plain line every ten seconds:
+/// "37 %, 370 of 1000 points, 2 failed, 12.5 points/s, 50 s left".
+class StudyProgressLine {
+ public:
+  explicit StudyProgressLine(bool shown);
+  ~StudyProgressLine() { clear(); }
+  /// One call at a time.
+  void report(const StudyProgress& progress);
+  /// Takes the line away.
+  void clear();
+
+ private:
+  double last_draw_;  // [s]
   bool shown_, terminal_;
   bool drawn_ = false;
 };

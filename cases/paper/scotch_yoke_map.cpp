@@ -5,9 +5,9 @@
 // between 120 and 300 deg, for each column of Table 11.
 #include <atomic>
 
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/progress.hpp>
 #include <yoke/cases/paper/scotch_yoke_study.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

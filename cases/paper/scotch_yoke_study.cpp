@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/progress.hpp>
 #include <yoke/cases/paper/scotch_yoke_study.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

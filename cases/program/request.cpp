@@ -245,11 +245,15 @@ bool added_later(std::string_view option) {
 
 }  // namespace
 
-void save_options(const RequestOptions& options, const std::filesystem::path& folder) {
+nlohmann::ordered_json to_json(const RequestOptions& options) {
   nlohmann::ordered_json json;
   visit_options(options, [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
+}
+
+void save_options(const RequestOptions& options, const std::filesystem::path& folder) {
   make_output_folder(folder);
-  write_text(folder / options_file, json.dump(2));
+  write_text(folder / options_file, to_json(options).dump(2));
 }
 
 RequestOptions load_options(const std::filesystem::path& folder) {
@@ -271,8 +275,6 @@ RequestOptions load_options(const std::filesystem::path& folder) {
   return options;
 }
 
-namespace {
-
 /// As a shell takes it.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
@@ -285,6 +287,8 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+namespace {
+
 /// What computes the same again; where it goes and what is drawn is left to the user.
 std::string command_of(const RequestOptions& o) {
   const RequestOptions defaults;
@@ -293,7 +297,7 @@ std::string command_of(const RequestOptions& o) {
   for (const std::string& law : o.laws) text += " --law " + quoted(law);
   if (!o.friction.empty()) text += " --friction " + quoted(o.friction);
   if (o.relative_tolerance != defaults.relative_tolerance)
-    text += fmt::format(" --rtol {:g}", o.relative_tolerance);
+    text += fmt::format(" --rtol {}", o.relative_tolerance);
   if (!o.formulation.empty()) text += " --formulation " + quoted(o.formulation);
   if (!o.spectral_radius.empty()) text += " --spectral-radius " + quoted(o.spectral_radius);
   if (o.linear_solver != defaults.linear_solver)

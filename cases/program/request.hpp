@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,11 @@ void add_output_options(CLI::App& verb, RequestOptions& options);
 /// The case in `run --paper CASE`, where it stands in the place of the optional word.
 void settle_paper(RequestOptions& options);
 
+/// A word as a shell takes it, in quotes where it needs them.
+std::string quoted(const std::string& word);
+
+/// What was typed, of what decides what a run computes and writes.
+nlohmann::ordered_json to_json(const RequestOptions& options);
 /// Keeps what was typed in FOLDER/run.json, so that `yoke resume FOLDER` can go on.
 void save_options(const RequestOptions& options, const std::filesystem::path& folder);
 /// What was typed. Throws ModelError if the folder holds no such file or a damaged one.

@@ -18,6 +18,7 @@ enum Exit : int { exit_ok = 0, exit_failed = 1, exit_usage = 2, exit_interrupted
 using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
+void add_sweep_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
 void add_view_verb(CLI::App& app, Action& action);
 void add_report_verb(CLI::App& app, Action& action);

@@ -53,11 +53,11 @@ std::string policy_hash(std::string_view hex) {
   return "'sha256-" + base64(bytes.data(), bytes.size()) + "'";
 }
 
-std::string policy() {
+std::string policy(const PageText& text) {
   return fmt::format(
       "default-src 'none'; script-src {}; style-src {}; img-src data: blob:; base-uri 'none'; "
       "form-action 'none'",
-      policy_hash(page_text::script_sha256), policy_hash(page_text::style_sha256));
+      policy_hash(text.script_sha256), policy_hash(text.style_sha256));
 }
 
 const char* kind_of(PageKind kind) {
@@ -74,23 +74,22 @@ const char* kind_of(PageKind kind) {
 
 }  // namespace
 
-void write_page(const std::filesystem::path& path, const std::string& title, PageKind kind,
-                const std::vector<std::string>& replays) {
-  const nlohmann::json about = {{"title", title}, {"kind", kind_of(kind)}};
-  std::string data = fmt::format("<script type=\"application/json\" id=\"about\">{}</script>\n",
-                                 escaped_json(about.dump()));
-  for (const std::string& replay : replays)
-    data += fmt::format("<script type=\"application/json\" class=\"run\">{}</script>\n",
-                        escaped_json(replay));
+std::string json_block(const std::string& attributes, const std::string& json) {
+  return fmt::format("<script type=\"application/json\" {}>{}</script>\n", attributes,
+                     escaped_json(json));
+}
+
+void write_filled_page(const std::filesystem::path& path, const PageText& text,
+                       const std::string& title, const std::string& data) {
   const auto filling = [&](std::string_view mark) {
     if (mark == "title") return escaped_html(title);
-    if (mark == "policy") return policy();
-    if (mark == "style") return page_text::style();
-    if (mark == "script") return page_text::script();
+    if (mark == "policy") return policy(text);
+    if (mark == "style") return text.style;
+    if (mark == "script") return text.script;
     return data;
   };
   // Marks are looked for in the template alone: what is filled in may hold anything.
-  const std::string html = page_text::html();
+  const std::string& html = text.html;
   std::string page;
   std::size_t at = 0;
   for (;;) {
@@ -103,6 +102,17 @@ void write_page(const std::filesystem::path& path, const std::string& title, Pag
   }
   page += html.substr(at);
   write_text(path, page);
+}
+
+void write_page(const std::filesystem::path& path, const std::string& title, PageKind kind,
+                const std::vector<std::string>& replays) {
+  const nlohmann::json about = {{"title", title}, {"kind", kind_of(kind)}};
+  std::string data = json_block("id=\"about\"", about.dump());
+  for (const std::string& replay : replays) data += json_block("class=\"run\"", replay);
+  write_filled_page(path,
+                    {page_text::html(), page_text::style(), page_text::script(),
+                     page_text::style_sha256, page_text::script_sha256},
+                    title, data);
 }
 
 }  // namespace yoke::cases

@@ -120,6 +120,7 @@ void Hdf5File::create(const OutputTable& table, std::size_t expected_rows, std::
   H5Pset_chunk(layout, 1, &chunk);
   H5Pset_shuffle(layout);
   H5Pset_deflate(layout, 1);
+  H5Pset_obj_track_times(layout, false);  // the same results are the same bytes
   for (const OutputColumn& c : table.columns) {
     const std::size_t size = c.text ? text_width : sizeof(double);
     const Handle type(c.text ? text_type(size) : H5Tcopy(H5T_IEEE_F64LE), H5Tclose);
@@ -205,9 +206,10 @@ void Hdf5File::add_text(const std::string& name, const std::string& text) {
   errno = 0;
   const Handle type(text_type(text.size()), H5Tclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(layout, false);
   const Handle dataset(
-      H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose);
+      H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose);
   check(dataset >= 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0,
         "write a text");
 }

@@ -12,12 +12,12 @@
 
 #include <yoke/cases/andrews.hpp>
 #include <yoke/cases/jobs/markdown.hpp>
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/plot.hpp>
 #include <yoke/cases/validation/andrews_reference.hpp>
 #include <yoke/cases/validation/benchmark_problems.hpp>
 #include <yoke/cases/validation/validation.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

@@ -15,13 +15,13 @@
 #include <yoke/cases/choices/quantity.hpp>
 #include <yoke/cases/jobs/impact.hpp>
 #include <yoke/cases/jobs/markdown.hpp>
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/validation/validation.hpp>
 #include <yoke/contact/laws/catalog/dissipative_catalog.hpp>
 #include <yoke/contact/laws/catalog/elastic_catalog.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

@@ -21,6 +21,10 @@ constexpr Examples examples[] = {
      "  yoke run scotch_yoke\n"
      "  yoke run scotch_yoke --set crank_length=50mm --law johnson --law hertz+flores:e=0.8 -o results/mine\n"
      "  yoke run slider_crank --format hdf5 --columns 'crank.*' --every 4 -o results/short\n"},
+    {"sweep",
+     "  yoke sweep slider_crank_clearance --vary clearance=0.01mm:0.5mm:50:log --vary speed=1000:5000:5\n"
+     "  yoke sweep scotch_yoke --vary law=johnson,hertz+flores:e=0.8 --measure slider_a_m_per_s2:rms\n"
+     "  yoke sweep bouncing_ball --law 'hertz+flores:e={e}' --vary e=0.1:0.9 --sobol 64 -o results/e\n"},
     {"resume",
      "  yoke run scotch_yoke --checkpoint 0.01s -o results/long\n"
      "  yoke resume results/long\n"},

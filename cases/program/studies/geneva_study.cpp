@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <yoke/cases/jobs/markdown.hpp>
-#include <yoke/cases/jobs/parallel.hpp>
 #include <yoke/cases/jobs/progress.hpp>
+#include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke::cases {
 

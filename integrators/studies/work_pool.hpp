@@ -12,10 +12,10 @@
 #include <thread>
 #include <vector>
 
-namespace yoke::cases {
+namespace yoke {
 
-/// Calls work(i) for i = 0 ... count - 1 on at most `jobs` threads. The first exception stops what
-/// has not begun and is thrown again here.
+/// Calls work(i) for i = 0 ... count - 1 on at most `jobs` threads, the next i to whichever is free; jobs
+/// < 1 is one. The first exception stops what has not begun and is thrown again here.
 template <class Work>
 void run_parallel(std::size_t count, int jobs, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -40,4 +40,4 @@ void run_parallel(std::size_t count, int jobs, const Work& work) {
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace yoke::cases
+}  // namespace yoke
