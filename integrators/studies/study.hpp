@@ -41,8 +41,8 @@ enum class PointState { missing, completed, failed };
 
 /// What a study has of one point.
 struct StudyRow {
-  std::size_t point = 0;  // its index
-  PointState state = PointState::missing;
+  std::size_t point = 0;                   // its index
+  PointState state = PointState::missing;  // missing: it has no row yet
   std::vector<double> values{};  // as many as there are quantities, nan where there is none
   std::string reason{};          // of a failure, in one line
   double seconds = 0.0;          // [s] of the clock that it took
