@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <yoke/cases/program/verb.hpp>
+#include <yoke/core/equations/linear/linear_solver.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
@@ -313,6 +314,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
     throw ModelError(fmt::format("--samples {}: at least 2 are needed, the two ends", o.samples));
   if (!(o.relative_tolerance >= 1e-13 && o.relative_tolerance <= 1e-2))
     throw ModelError(fmt::format("--rtol {:g}: accepted is 1e-13 to 1e-2", o.relative_tolerance));
+  linear_solver_named(o.linear_solver);
   if (o.jobs < 0) throw ModelError(fmt::format("--jobs {}: must be at least 1", o.jobs));
   const Parameters parameters(c.parameters, o.settings);
   const std::vector<std::string> laws = choose_laws(c, parameters, o.laws, o.friction);

@@ -240,7 +240,10 @@ bool Dynamics::improve_velocity(double* v, Rows which) {
   saddle_->solve(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
+    const double before = v[i];
     v[i] += b_[at(i)];
+    // What is left of a velocity that was taken back whole is rounding: what is held rests to the last bit.
+    if (std::abs(v[i]) <= 4.0 * machine_epsilon * std::abs(before)) v[i] = 0.0;
   }
   return true;
 }

@@ -57,6 +57,10 @@ void measure_by_kind(std::vector<Agreement>& quantities) {
     double& peak = largest[kind_of(a.column)];
     peak = std::max(peak, a.peak);
   }
+  // Where no speed changes, accelerations are to be small beside those of points that go around.
+  const double omega = largest["_rad_per_s"];
+  double& alpha = largest["_rad_per_s2"];
+  alpha = std::max(alpha, omega * omega);
   constexpr double noise = 1e-9;
   for (Agreement& a : quantities) {
     const double peak = largest[kind_of(a.column)];

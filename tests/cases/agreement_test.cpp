@@ -34,7 +34,7 @@ TEST_CASE("formulations agree about cases with impacts, until runs part") {
     REQUIRE(reference.summary.ok());
     for (const char* formulation : {"ida-ggl", "cvode-projection", "adams-baumgarte"}) {
       CAPTURE(formulation);
-      const Result other = run(formulation, 1e-10);
+      const Result other = run(formulation, 5e-11);
       REQUIRE(other.summary.ok());
       CHECK(other.events.size() == reference.events.size());
       for (const std::string& column : reference.samples.names())
