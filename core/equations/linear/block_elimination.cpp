@@ -18,11 +18,11 @@ constexpr double for_pivot = 8.0, for_block = 8.0, for_update = 8.0;
 
 /// The columns of `pattern` with what elimination fills in: a column takes over what is below the ones
 /// whose first block below the diagonal is in its row. False: more than `most` multiplications.
-bool fill_in(const BlockPattern& pattern, double most, BlockPattern& filled, double& work) {
+bool fill_in(const BlockPattern& pattern, double most, BlockPattern& filled) {
   const int columns = pattern.columns();
   std::vector<std::vector<int>> children(at(columns));
   std::vector<int> column, seen(at(columns), -1);
-  work = 0.0;
+  double work = 0.0;
   for (int k = 0; k < columns; ++k) {
     column.clear();
     const auto take = [&](const int* begin, const int* end) {
@@ -76,8 +76,7 @@ std::unique_ptr<BlockElimination> BlockElimination::make(int columns,
                                                          double most) {
   std::unique_ptr<BlockElimination> made(new BlockElimination);
   BlockPattern& pattern = made->pattern_;
-  if (!fill_in(pattern_of(columns, std::move(pairs)), most, pattern, made->multiplications_))
-    return nullptr;
+  if (!fill_in(pattern_of(columns, std::move(pairs)), most, pattern)) return nullptr;
   for (int k = 0; k < columns; ++k)
     for (int a = pattern.start[at(k)]; a < pattern.start[at(k) + 1]; ++a)
       for (int b = pattern.start[at(k)]; b <= a; ++b)

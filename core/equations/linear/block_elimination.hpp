@@ -27,7 +27,6 @@ class BlockElimination final : public SymmetricFactors {
   bool factorise(double least) override;
   double smallest_pivot() const override { return smallest_; }
   void solve(double* x) override;
-  double multiplications() const { return multiplications_; }  ///< of factorise()
 
  private:
   BlockElimination() = default;
@@ -40,7 +39,6 @@ class BlockElimination final : public SymmetricFactors {
       value_;  // after factorise() the inverse of each pivot in the place of the diagonal
   std::vector<double> diagonal_;  // [2 columns] elements before elimination
   double smallest_ = 1.0;
-  double multiplications_ = 0.0;
 };
 
 }  // namespace yoke

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <yoke/core/equations/linear/block_elimination.hpp>
 #include <yoke/core/equations/linear/index.hpp>
@@ -21,7 +20,7 @@ constexpr double least_pivot = 1e-9, one_refinement = 1e-5;
 // accelerates counts little beside: that is the rounding of an acceleration that is zero.
 constexpr double misfit_allowed = 1e-13, share_of_reaction = 1e-4;
 constexpr double rounding_left = 16.0 * machine_epsilon;
-// A body with so many joints couples all of them: what that takes is not even listed.
+// A body with very many joints couples all of them: what that takes is not even listed.
 constexpr std::size_t most_products_per_part = 64;
 
 }  // namespace
@@ -43,15 +42,13 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   made->add_nodes(layout);
   const int columns = static_cast<int>(made->nodes_.size()) - 1;
   std::vector<std::pair<int, int>> pairs = made->pairs();
-  if (!klu && pairs.size() > most_products_per_part * made->parts_.size()) return nullptr;
+  if (pairs.size() > most_products_per_part * made->parts_.size()) return nullptr;
   if (klu) {
     made->factors_ = std::make_unique<BlockKlu>(columns, std::move(pairs));
   } else {
     made->put_in_order(elimination_order(columns, pairs));
-    auto blocks = BlockElimination::make(columns, made->pairs(), most);
-    if (blocks == nullptr) return nullptr;
-    made->multiplications_ = blocks->multiplications();
-    made->factors_ = std::move(blocks);
+    made->factors_ = BlockElimination::make(columns, made->pairs(), most);
+    if (made->factors_ == nullptr) return nullptr;
   }
   made->find_products();
   made->G_.assign(6 * made->parts_.size(), 0.0);

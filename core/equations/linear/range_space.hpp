@@ -24,7 +24,7 @@ class RangeSpace {
  public:
   /// Null where a body lacks mass, or elimination by blocks takes more than `most` multiplications.
   static std::unique_ptr<RangeSpace> by_blocks(const SaddleLayout& layout, double most);
-  /// S by KLU; null where a body lacks mass.
+  /// S by KLU; null where a body lacks mass, or bodies have very many joints.
   static std::unique_ptr<RangeSpace> by_klu(const SaddleLayout& layout);
 
   /// With the blocks `G`, without the rows marked in `dropped` [rows]. False where S is not well enough
@@ -32,7 +32,6 @@ class RangeSpace {
   bool factorise(const double* G, std::span<const char> dropped);
   void solve(double* b);  ///< in place, b [dofs + rows]
   void reset() { factors_->reset(); }
-  double multiplications() const { return multiplications_; }  ///< of one factorisation by blocks
 
  private:
   struct Part {  // of two rows of a constraint, the columns of a body
@@ -75,7 +74,6 @@ class RangeSpace {
   std::vector<double> diagonal_;  // [2 for each node] of S
   std::vector<double> a_, before_, lambda_, x_;
   std::unique_ptr<SymmetricFactors> factors_;
-  double multiplications_ = 0.0;
 };
 
 }  // namespace yoke

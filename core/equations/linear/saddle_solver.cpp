@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 4> solver_names = {"automatic", "klu", "r
                                                           "blocks"};
 // Multiplications by blocks, for each row, up to which the saddle matrix always takes longer; and how many
 // take as long as one of KLU's, which counts only those of its factors and fetches each through an index.
-constexpr double always_fewer = 100.0, for_one_of_klu = 4.0;
+constexpr double always_fewer = 80.0, for_one_of_klu = 4.0;
 
 }  // namespace
 
@@ -68,6 +68,7 @@ void SaddleSolver::build_matrix() {
 
 void SaddleSolver::choose(LinearSolver choice) {
   range_is_klu_ = choice == LinearSolver::range_klu;
+  if (!layout_.switched.empty()) klu();  // it will be needed, where nothing may be allocated
   if (choice == LinearSolver::klu) return;
   if (range_is_klu_) {
     range_ = RangeSpace::by_klu(layout_);
