@@ -37,7 +37,8 @@ class SymmetricFactors {
   virtual void reset() {}             ///< equal inputs give equal bits from here
 };
 
-/// The same matrix for KLU, which chooses its own order of elimination.
+/// The same matrix for KLU, which chooses its own order of elimination. Its reciprocal condition stands for
+/// the smallest pivot.
 class BlockKlu final : public SymmetricFactors {
  public:
   BlockKlu(int columns, std::vector<std::pair<int, int>> pairs);

@@ -20,7 +20,10 @@ TEST_CASE("a run chooses new pivots a handful of times, whatever the tolerance")
       REQUIRE(run.summary.ok());
       CHECK(run.summary.events > 40);
       // Elimination by blocks chooses no pivots; a matrix of the integrator's own does.
-      CHECK(run.summary.fresh_factorisations >= (formulation == "ida-ggl" ? 1 : 0));
+      if (formulation == "ida-ggl")
+        CHECK(run.summary.fresh_factorisations >= 1);
+      else
+        CHECK(run.summary.fresh_factorisations == 0);
       CHECK(run.summary.fresh_factorisations <= 4);
       CHECK(run.summary.refactorisations > run.summary.steps / 10);
     }
