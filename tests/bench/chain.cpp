@@ -83,9 +83,8 @@ void friction_of_chain(benchmark::State& bench) {
 }
 
 // Elimination by blocks against KLU on the saddle matrix, whole evaluations in turn.
-void solvers_of_chain(benchmark::State& bench) {
+void compare_solvers(benchmark::State& bench, const Model& model) {
   const int links = static_cast<int>(bench.range(0));
-  const Model model = chain(links);
   const int repeats = std::max(1, 20000 / links);
   struct Contestant {
     Contestant(const Model& m, LinearSolver solver) : dynamics(m, solver), state(m.start_state()) {}
@@ -95,7 +94,7 @@ void solvers_of_chain(benchmark::State& bench) {
   };
   const auto contestant = [&](LinearSolver solver) {
     auto made = std::make_unique<Contestant>(model, solver);
-    if (!made->dynamics.assemble(made->state)) bench.SkipWithError("the chain does not assemble");
+    if (!made->dynamics.assemble(made->state)) bench.SkipWithError("the links do not assemble");
     return made;
   };
   const auto klu = contestant(LinearSolver::klu), range_klu = contestant(LinearSolver::range_klu),
@@ -124,6 +123,39 @@ void solvers_of_chain(benchmark::State& bench) {
   bench.counters["ns_per_link"] = 1e9 * median(blocks->times) / links;
 }
 
+void solvers_of_chain(benchmark::State& bench) {
+  compare_solvers(bench, chain(static_cast<int>(bench.range(0))));
+}
+
+// All links on one hub, where blocks couple every joint with every other.
+void solvers_of_star(benchmark::State& bench) {
+  const int links = static_cast<int>(bench.range(0));
+  Model model;
+  const BodyId hub = model.add(Body{.name = "hub", .mass = 5.0, .inertia = 1.0});
+  model.add(Revolute{.name = "pivot", .a = ground, .b = hub, .at = {0.1, 0.0}});
+  for (int i = 0; i < links; ++i) {
+    const double angle = 6.28 * i / links;
+    const Vec2 at = rotate(angle, {1.0, 0.0});
+    const BodyId link = model.add(Body{.name = "link " + std::to_string(i),
+                                       .mass = 1.0,
+                                       .inertia = 0.1,
+                                       .pose = {1.5 * at, angle}});
+    model.add(Revolute{.name = "joint " + std::to_string(i), .a = hub, .b = link, .at = at});
+  }
+  model.add(Gravity{});
+  compare_solvers(bench, model);
+  bench.SetLabel("automatic: " + std::string(name_of(Dynamics(model).saddle().in_use())));
+}
+
+BENCHMARK(solvers_of_star)
+    ->Arg(3)
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(15)
+    ->Arg(20)
+    ->Arg(40)
+    ->Iterations(7)
+    ->UseManualTime();
 BENCHMARK(solvers_of_chain)
     ->Arg(3)
     ->Arg(10)
