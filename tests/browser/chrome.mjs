@@ -11,12 +11,12 @@ export class Chrome {
   static async start(program = "chromium") {
     const chrome = new Chrome();
     // A page that hangs must not hang the test.
-    chrome.watchdog = setTimeout(() => { console.log("FAILED: the browser hangs"); chrome.process.kill("SIGKILL"); process.exit(1); }, 550e3);
+    chrome.watchdog = setTimeout(() => { console.log("FAILED: the browser hangs"); chrome.kill(); process.exit(1); }, 550e3);
     chrome.profile = mkdtempSync(join(tmpdir(), "yoke-chromium-"));
     chrome.process = spawn(program, ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
       "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
       "--hide-scrollbars", "--remote-debugging-pipe", `--user-data-dir=${chrome.profile}`, "about:blank"],
-      {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
+      {detached: true, stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});  // a group of its own
     chrome.waiting = new Map();
     chrome.messages = [];  // errors and warnings of the console
     chrome.requests = [];  // addresses asked for
@@ -99,11 +99,22 @@ export class Chrome {
     const {data} = await this.send("Page.captureScreenshot", {format: "png"});
     writeFileSync(path, Buffer.from(data, "base64"));
   }
+  // All processes of the browser. Killed alone, the first one leaves helpers behind that still write
+  // their profile while it is being removed. Returns false when none is left.
+  kill() {
+    try { return process.kill(-this.process.pid, "SIGKILL"); } catch { return false; }
+  }
   async stop() {
     clearTimeout(this.watchdog);
     const gone = new Promise((resolve) => this.process.on("exit", resolve));
-    this.process.kill("SIGKILL");
+    this.kill();
     await gone;
-    rmSync(this.profile, {recursive: true, force: true, maxRetries: 10, retryDelay: 200});
+    // What is killed is gone a moment later; a folder that stays behind is no fault of the page.
+    for (let tries = 0; tries < 100; ++tries) {
+      const running = this.kill();
+      try { rmSync(this.profile, {recursive: true, force: true}); if (!running) return; } catch {}
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    console.log(`the browser's folder ${this.profile} could not be removed`);
   }
 }
