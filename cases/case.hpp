@@ -81,9 +81,6 @@ struct Case {
   std::function<std::vector<ReportView>(const Parameters&)> views{};
   /// Optional: bodies whose path is drawn, y over x.
   std::vector<std::string> paths{};
-  /// Optional: rows recorded of a run with contacts, at least. They are many more than are written
-  /// to motion.csv, because an impact is short and its peak and its loop are to be seen whole.
-  std::function<double(const Parameters&)> recorded_rows{};
 };
 
 /// All cases. Adding one is two lines in registry.cpp.

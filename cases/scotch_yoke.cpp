@@ -506,12 +506,7 @@ Case scotch_yoke_case() {
                         const Model& model) { return motion_columns(ScotchYoke(p), model); },
           .checks = [](const Parameters& p, const Model& model,
                        const Result& run) { return scotch_yoke_checks(ScotchYoke(p), model, run); },
-          .views = [](const Parameters& p) { return paper_views(ScotchYoke(p)); },
-          // 50 or more in the shortest impact; long runs less densely, to bound the memory.
-          .recorded_rows =
-              [](const Parameters& p) {
-                return std::min(20000.0 * ScotchYoke(p).revolutions, 80000.0);
-              }};
+          .views = [](const Parameters& p) { return paper_views(ScotchYoke(p)); }};
 }
 
 }  // namespace yoke::cases

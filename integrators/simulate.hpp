@@ -43,7 +43,8 @@ struct SimulationOptions {
   int samples = 1001;                     // rows, uniform in time, both ends; 0 or >= 2
   /// Rows besides, in Result::contact_samples, that show each contact whole however short it is: 0
   /// is none; n >= 1 a row at its onset and at the end of each of the next n steps, of every second
-  /// of the n steps after those, of every fourth of the 2 n after those, and so on.
+  /// of the n steps after those, of every fourth of the 2 n after those, and so on; and rows at its
+  /// events and where its force or its penetration is larger than ever before in it.
   int contact_rows = 0;
   double length_scale = 0.0;     // [m] error weight of positions
   double time_scale = 0.0;       // [s] of velocities: length / time

@@ -209,11 +209,7 @@ Case four_bar_clearance_case() {
             if (c.clearance == 0.0) return std::vector<Portrait>{};
             return std::vector<Portrait>{orbit_portrait(model, run, c.bearings())};
           },
-      .paths = {"coupler", "rocker"},
-      .recorded_rows =
-          [](const Parameters& p) {
-            return std::clamp(20000.0 * p.number("turns"), 20000.0, 200000.0);
-          }};
+      .paths = {"coupler", "rocker"}};
 }
 
 }  // namespace yoke::cases

@@ -200,10 +200,6 @@ Case slider_crank_clearance_case() {
       .portraits =
           [](const Parameters& p, const Model& model, const Result& run) {
             return slider_crank_portraits(SliderCrankClearance(p), model, run);
-          },
-      .recorded_rows =
-          [](const Parameters& p) {
-            return std::clamp(4000.0 * p.number("turns"), 20000.0, 200000.0);
           }};
 }
 

@@ -181,9 +181,7 @@ Case bouncing_ball_case() {
               [](const Parameters& p) {
                 return p.is_word("duration") ? BouncingBall(p).until_rest() : p.number("duration");
               },
-          .law_checks = bouncing_ball_checks,
-          // 60 in an impact, at the defaults.
-          .recorded_rows = [](const Parameters&) { return 120000.0; }};
+          .law_checks = bouncing_ball_checks};
 }
 
 }  // namespace yoke::cases

@@ -223,8 +223,7 @@ Case impact_pair_case() {
                 const ImpactPair c(p);
                 return c.periods * c.period();
               },
-          .checks = impact_pair_checks,
-          .recorded_rows = [](const Parameters&) { return 120000.0; }};
+          .checks = impact_pair_checks};
 }
 
 }  // namespace yoke::cases

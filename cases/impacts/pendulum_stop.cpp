@@ -182,8 +182,7 @@ Case pendulum_stop_case() {
           .model = [](const Parameters& p,
                       const WallLaws& laws) { return pendulum_stop_model(PendulumStop(p), laws); },
           .duration = [](const Parameters& p) { return p.number("duration"); },
-          .checks = pendulum_stop_checks,
-          .recorded_rows = [](const Parameters&) { return 120000.0; }};
+          .checks = pendulum_stop_checks};
 }
 
 }  // namespace yoke::cases

@@ -186,8 +186,7 @@ Case slender_bar_case() {
           .model = [](const Parameters& p,
                       const WallLaws& laws) { return slender_bar_model(SlenderBar(p), laws); },
           .duration = [](const Parameters& p) { return p.number("duration"); },
-          .checks = slender_bar_checks,
-          .recorded_rows = [](const Parameters&) { return 120000.0; }};
+          .checks = slender_bar_checks};
 }
 
 }  // namespace yoke::cases

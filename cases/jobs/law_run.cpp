@@ -16,15 +16,8 @@ namespace yoke::cases {
 
 namespace {
 
-// Rows recorded of a run with contacts, whatever is written.
-constexpr double recorded_by_default = 40000.0;
 // Rows within each contact besides, see SimulationOptions.
 constexpr int rows_of_contact = 40;
-
-std::size_t choose_stride(int samples, double wanted) {
-  if (samples < 2) return 1;
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted / (samples - 1))));
-}
 
 bool has_channel(const ForceElement& element, std::string_view name) {
   const std::vector<Channel> channels = element.channels();
@@ -97,7 +90,7 @@ ForcePeak largest_force(const Table& rows, const std::vector<std::string>& conta
   return largest;
 }
 
-/// The samples under the names of the case.
+/// Rows under the names of the case.
 Table renamed(const Table& samples, const std::vector<MotionColumn>& columns) {
   Table table;
   std::vector<std::size_t> sources;
@@ -159,19 +152,13 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   const Model model = make_model(c, request.parameters, law);
   const std::vector<std::string> contacts = contact_names(model);
   LawRun run{.law = law, .done = true};
-  if (!contacts.empty())
-    run.stride =
-        choose_stride(request.samples,
-                      c.recorded_rows ? c.recorded_rows(request.parameters) : recorded_by_default);
-  const int samples =
-      request.samples > 0 ? (request.samples - 1) * static_cast<int>(run.stride) + 1 : 0;
   SimulationOptions options =
-      simulation_options(request, c.duration(request.parameters), samples, request.output);
-  if (!contacts.empty() && samples > 0) options.contact_rows = rows_of_contact;
+      simulation_options(request, c.duration(request.parameters), request.samples, request.output);
+  if (!contacts.empty() && request.samples > 0) options.contact_rows = rows_of_contact;
   const std::vector<MotionColumn> own =
       c.columns ? c.columns(request.parameters, model) : std::vector<MotionColumn>{};
   if (output != nullptr) {
-    output->begin(model, own, run.stride, static_cast<std::size_t>(samples));
+    output->begin(model, own, static_cast<std::size_t>(request.samples));
     options.observer = [output, observe = std::move(observer)](const Progress& progress) {
       output->watch(*progress.so_far);
       return !observe || observe(progress);
@@ -193,7 +180,7 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   keep(std::move(result), run);
   run.contacts = contact_records(contacts, run);
   run.peak = largest_force(run.all(), contacts);
-  if (!own.empty()) run.history = renamed(run.samples, own);
+  if (!own.empty()) run.history = renamed(run.all(), own);
   if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,
                                 .parameters = request.parameters,

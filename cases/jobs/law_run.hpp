@@ -35,18 +35,16 @@ struct ForcePeak {
   std::vector<double> history{};  // [N] the largest of equal stretches of the run
 };
 
-/// The run under one law. Tables have `stride` rows for each row that is written: an impact takes
-/// less than a millisecond, and its peak and its loop are to be seen whole.
+/// The run under one law.
 struct LawRun {
   std::string law{};     // as asked for; "" if the case has no choice
   std::string folder{};  // of the results, within that of the job; "" if it is that of the job
   bool done = false;     // false: not begun, because the job was interrupted
   Table samples{};       // the engine's columns
-  Table history{};       // under the case's own names; empty if the case has none
+  Table history{};       // all() under the case's own names; empty if the case has none
   Table dense{};         // samples and the rows within contacts; empty if there are none
   std::vector<EventRecord> events{};
   Summary summary{};
-  std::size_t stride = 1;
   std::vector<ContactRecord> contacts{};
   std::optional<Verification> verification{};
   std::vector<Check> checks{};
@@ -54,8 +52,8 @@ struct LawRun {
   std::vector<Portrait> portraits{};
   std::string replay{};  // for a report (cases/report/replay.hpp), if one was asked for
 
-  /// What motion.csv shows.
-  const Table& motion() const { return history.names().empty() ? samples : history; }
+  /// All rows, with the columns of motion.csv if the case has its own.
+  const Table& motion() const { return history.names().empty() ? all() : history; }
   /// All rows there are, not uniform in time.
   const Table& all() const { return dense.rows() == 0 ? samples : dense; }
   double peak_force() const;           ///< [N] of all contacts

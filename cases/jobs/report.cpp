@@ -28,7 +28,7 @@ std::string summary_json(const Case& c, const RunRequest& request, const LawRun&
   if (!run.law.empty()) json["law"] = run.law;
   json["parameters"] = request.parameters.to_json();
   json.update(Json::parse(to_json(run.summary)));
-  json["samples"] = (run.samples.rows() + run.stride - 1) / run.stride;
+  json["samples"] = run.samples.rows();
   if (!run.contacts.empty()) json["contacts"] = run.onsets();
   if (run.verification) json["verification"] = Json::parse(to_json(*run.verification));
   for (const Check& check : run.checks) json["checks"].push_back(check_json(check));

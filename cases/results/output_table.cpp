@@ -57,13 +57,13 @@ void SampleColumns::choose(const std::vector<std::string>& patterns) {
   });
 }
 
-std::vector<OutputTable> SampleColumns::tables(const Table& samples, std::size_t stride) const {
+std::vector<OutputTable> SampleColumns::tables(const Table& samples) const {
   std::vector<OutputTable> tables;
   if (choice_.events_only) return tables;
   const std::size_t width = samples.names().size(), rows = samples.rows();
   std::size_t begin = 0;  // the first row written
-  while (begin < rows && samples.value(begin, 0) < choice_.from) begin += stride;
-  const std::size_t step = stride * choice_.every;
+  while (begin < rows && samples.value(begin, 0) < choice_.from) ++begin;
+  const std::size_t step = choice_.every;
   const std::size_t written = begin < rows ? (rows - begin - 1) / step + 1 : 0;
   for (const Column& c : columns_) {
     if (tables.empty() || tables.back().name != c.table)

@@ -58,8 +58,8 @@ class SampleColumns {
   /// column, naming what comes near.
   SampleColumns(const Table& header, const std::vector<MotionColumn>& own,
                 const OutputChoice& choice);
-  /// Every `stride`-th row of samples, and of those what the choice leaves.
-  std::vector<OutputTable> tables(const Table& samples, std::size_t stride) const;
+  /// The rows of samples that the choice leaves.
+  std::vector<OutputTable> tables(const Table& samples) const;
 
  private:
   struct Column {

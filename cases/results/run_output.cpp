@@ -76,11 +76,10 @@ void check_output_format(const std::string& format) {
 RunOutput::RunOutput(OutputChoice choice, std::filesystem::path folder)
     : choice_(std::move(choice)), folder_(std::move(folder)) {}
 
-void RunOutput::begin(const Model& model, const std::vector<MotionColumn>& own, std::size_t stride,
+void RunOutput::begin(const Model& model, const std::vector<MotionColumn>& own,
                       std::size_t expected_rows) {
   columns_.emplace(sample_header(model), own, choice_);
-  stride_ = stride;
-  expected_rows_ = expected_rows / (stride * choice_.every) + 1;
+  expected_rows_ = expected_rows / choice_.every + 1;
   last_ = seconds_now();
 }
 
@@ -90,7 +89,7 @@ void RunOutput::watch(const Result& so_far) {
     make_output_folder(folder_);
     growing_ = std::make_unique<Hdf5File>(folder_ / hdf5_name, folder_ / hdf5_name);
   }
-  std::vector<OutputTable> tables = columns_->tables(so_far.samples, stride_);
+  std::vector<OutputTable> tables = columns_->tables(so_far.samples);
   tables.push_back(event_table(so_far.events, choice_.from));
   try {
     for (const OutputTable& table : tables)
@@ -110,7 +109,7 @@ void RunOutput::finish(const Table& samples, const std::vector<EventRecord>& eve
   // The small ones first: on a full disk they say what the large ones would have held.
   std::vector<OutputTable> tables = {event_table(events, choice_.from)};
   if (!impacts.empty()) tables.push_back(impact_table(impacts, choice_.from));
-  for (OutputTable& table : columns_->tables(samples, stride_)) tables.push_back(std::move(table));
+  for (OutputTable& table : columns_->tables(samples)) tables.push_back(std::move(table));
   std::vector<std::string> written;
   if (choice_.format == "hdf5") {
     written.emplace_back(hdf5_name);

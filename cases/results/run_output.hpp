@@ -21,10 +21,9 @@ class RunOutput {
  public:
   /// Nothing is written before watch() or finish().
   RunOutput(OutputChoice choice, std::filesystem::path folder);
-  /// Of a run of `model` that will have `expected_rows` samples, of which every `stride`-th is
-  /// written. Throws ModelError for columns that are not there.
-  void begin(const Model& model, const std::vector<MotionColumn>& own, std::size_t stride,
-             std::size_t expected_rows);
+  /// Of a run of `model` that will have `expected_rows` samples. Throws ModelError for columns that
+  /// are not there.
+  void begin(const Model& model, const std::vector<MotionColumn>& own, std::size_t expected_rows);
   /// Takes what the run has so far, at most once a second, where the format allows it.
   void watch(const Result& so_far);
   /// Writes all tables. Throws OutputError naming the path.
@@ -37,7 +36,7 @@ class RunOutput {
   OutputChoice choice_;
   std::filesystem::path folder_;
   std::optional<SampleColumns> columns_;
-  std::size_t stride_ = 1, expected_rows_ = 0;
+  std::size_t expected_rows_ = 0;
   std::unique_ptr<Hdf5File> growing_;
   double last_ = 0.0;  // [s] when it was watched
 };

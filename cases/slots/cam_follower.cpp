@@ -304,8 +304,7 @@ Case cam_follower_case() {
                   const WallLaws& laws) { return cam_follower_model(CamFollower(p), laws); },
       .duration = [](const Parameters& p) { return p.number("turns") * 60.0 / p.number("speed"); },
       .checks = [](const Parameters& p, const Model&,
-                   const Result& run) { return cam_follower_checks(CamFollower(p), run); },
-      .recorded_rows = [](const Parameters&) { return 20000.0; }};
+                   const Result& run) { return cam_follower_checks(CamFollower(p), run); }};
 }
 
 }  // namespace yoke::cases

@@ -434,8 +434,7 @@ Case cpva_case() {
       .checks = [](const Parameters& p, const Model&,
                    const Result& run) { return cpva_checks(Cpva(p), run); },
       .portraits = [](const Parameters& p, const Model&,
-                      const Result& run) { return cpva_portraits(Cpva(p), run); },
-      .recorded_rows = [](const Parameters&) { return 20000.0; }};
+                      const Result& run) { return cpva_portraits(Cpva(p), run); }};
 }
 
 }  // namespace yoke::cases

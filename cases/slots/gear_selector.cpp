@@ -321,8 +321,7 @@ Case gear_selector_case() {
                   const WallLaws& laws) { return gear_selector_model(GearSelector(p), laws); },
       .duration = [](const Parameters& p) { return GearSelector(p).duration(); },
       .checks = [](const Parameters& p, const Model&,
-                   const Result& run) { return gear_selector_checks(GearSelector(p), run); },
-      .recorded_rows = [](const Parameters&) { return 20000.0; }};
+                   const Result& run) { return gear_selector_checks(GearSelector(p), run); }};
 }
 
 }  // namespace yoke::cases

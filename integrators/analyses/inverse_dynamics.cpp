@@ -12,7 +12,7 @@
 #include <yoke/integrators/analyses/kinematics.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/recorder.hpp>
-#include <yoke/integrators/run/sampling.hpp>
+#include <yoke/integrators/run/rows/sampling.hpp>
 #include <yoke/integrators/run/start/start_checks.hpp>
 #include <yoke/integrators/simulate.hpp>
 

@@ -7,7 +7,7 @@
 #include <yoke/integrators/analyses/details/driven_motion.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/recorder.hpp>
-#include <yoke/integrators/run/sampling.hpp>
+#include <yoke/integrators/run/rows/sampling.hpp>
 
 namespace yoke {
 

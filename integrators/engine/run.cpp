@@ -150,7 +150,7 @@ bool Run::initialise() {
 
 // No factors, an integrator without a past.
 void Run::start_anew() {
-  samples_->contact_rows().start(state_.contacts);
+  samples_->contact_rows().start(state_);
   dynamics_.reset();
   make_formulation();
   start_formulation();
@@ -223,16 +223,23 @@ void Run::record_singular_position(const SingularPosition& position) {
                             .region = ""});
 }
 
-// Of the step made; t is its end or not.
-void Run::record_samples_up_to(double t, bool step_ends) {
-  const bool in_contact = step_ends && samples_->contact_rows().step();
-  if (!in_contact && samples_->next_time() > t) return;
+// Of the step made, up to t.
+void Run::record_samples_up_to(double t) {
+  if (samples_->next_time() > t) return;
+  record([&] { return samples_->record_up_to(t, *formulation_, sample_); });
+}
+
+void Run::record_in_contact(const StepSpan& step) {
+  if (!samples_->contact_rows().counts()) return;
+  record([&] { return samples_->record_in_contact(step, *formulation_, sample_); });
+}
+
+void Run::record(const std::function<Outcome()>& rows) {
+  if (stopped_) return;
   const Work before = work_of(dynamics_);
   sample_.contacts = state_.contacts;
   sample_.parameters = state_.parameters;
-  Outcome outcome = samples_->record_up_to(t, *formulation_, sample_);
-  if (outcome && in_contact) outcome = samples_->record_in_contact(t, *formulation_, sample_);
-  if (!outcome) fail(outcome.why);
+  if (const Outcome outcome = rows(); !outcome) fail(outcome.why);
   dynamics_.system().bind(state_);
   cost_.book_recording(work_of(dynamics_) - before);
 }
@@ -240,7 +247,7 @@ void Run::record_samples_up_to(double t, bool step_ends) {
 double Run::locate_events(Step step) {
   sample_.contacts = state_.contacts;
   sample_.parameters = state_.parameters;
-  const double t = locator_.locate(*formulation_, step, standstill_.t_last(), sample_);
+  const double t = locator_.locate(*formulation_, step, t_behind_, sample_);
   dynamics_.system().bind(state_);
   return t;
 }
@@ -298,6 +305,7 @@ void Run::check_restart() {
 bool Run::make_step() {
   if (disturbed_ && !restart_if_disturbed()) return false;
   const Step step = formulation_->step(std::min(checkpoints_.next_stop(), t_sample_));
+  t_behind_ = standstill_.t_last();
   const double t = step == Step::failed ? formulation_->time() : locate_events(step);
   if (step == Step::failed || standstill_.stalls(t)) return goes_on_with_less() || fail_at(t, step);
   standstill_.note_step(formulation_->last_step());
@@ -308,7 +316,7 @@ bool Run::make_step() {
 
 // Shows a time [s] within the step made.
 void Run::show(double t) {
-  record_samples_up_to(t, false);
+  record_samples_up_to(t);
   t_shown_ = t;
 }
 
@@ -317,7 +325,9 @@ bool Run::complete_step() {
   const double t = t_ahead_;
   const bool at_event = !locator_.fired().empty(), at_sample = t == t_sample_;
   // A row exactly at the event is taken after it, from the projected state.
-  record_samples_up_to(at_event || at_sample ? std::nextafter(t, t_start_) : t, true);
+  const double end = at_event || at_sample ? std::nextafter(t, t_start_) : t;
+  record_samples_up_to(end);
+  record_in_contact({.from = t_behind_, .to = t, .end = end, .at_event = at_event});
   ahead_ = false;
   result_.summary.t_end = t_shown_ = t;
   if (!stopped_ && !at_event && reaches_impasse(t)) return false;

@@ -22,7 +22,7 @@
 #include <yoke/integrators/run/event_dispatch.hpp>
 #include <yoke/integrators/run/event_locator.hpp>
 #include <yoke/integrators/run/impasse_watch.hpp>
-#include <yoke/integrators/run/sampling.hpp>
+#include <yoke/integrators/run/rows/sampling.hpp>
 #include <yoke/integrators/run/stall_detector.hpp>
 #include <yoke/integrators/simulation.hpp>
 
@@ -87,7 +87,9 @@ class Run {
   bool restart_at_sample(double t);
   void guarded(const std::function<void()>& f);
   bool observe(double t);
-  void record_samples_up_to(double t, bool step_ends);
+  void record_samples_up_to(double t);
+  void record_in_contact(const StepSpan& step);
+  void record(const std::function<Outcome()>& rows);
   void record_singular_position(const SingularPosition& position);
   double locate_events(Step step);
   void start_formulation(bool loads_only = false);
@@ -147,6 +149,7 @@ class Run {
   double t_shown_;          // [s]
   bool ahead_ = false;      // the formulation is: a step is not completed
   double t_ahead_ = 0.0;    // [s] its end
+  double t_behind_ = 0.0;   // [s] where that step began
   double t_sample_ = 0.0;   // [s] the next time at which controllers sample; not passed by a step
   bool disturbed_ = false;  // state_ is not what the formulation has: it starts from there
   bool stale_ = false;      // state_ has not the accelerations of its parameters

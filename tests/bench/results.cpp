@@ -44,7 +44,7 @@ struct Written {
                              .samples = 100001,
                              .plots = false};
     run = run_law(mechanism, request, "hertz-flores", {});
-    tables = SampleColumns(sample_header(model), {}, {}).tables(run.samples, run.stride);
+    tables = SampleColumns(sample_header(model), {}, {}).tables(run.samples);
     for (const OutputTable& table : tables)
       for (const OutputColumn& column : table.columns) {
         digits.emplace_back();
@@ -57,7 +57,7 @@ struct Written {
   void write(const std::string& format, const fs::path& folder) const {
     make_output_folder(folder);
     RunOutput output({.format = format}, folder);
-    output.begin(model, {}, run.stride, run.samples.rows());
+    output.begin(model, {}, run.samples.rows());
     output.finish(run.samples, run.events, {}, "{}");
   }
 

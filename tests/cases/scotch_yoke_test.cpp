@@ -189,16 +189,18 @@ TEST_SUITE("scotch-yoke") {
     CHECK(crossing->to * degrees < 109.0);
     CHECK(crossing->landing_speed == doctest::Approx(0.18).epsilon(0.15));
 
-    const auto spells = contact_spells(run, run.samples, 0.0, choices.end_time());
+    const auto spells = contact_spells(run, run.all(), 0.0, choices.end_time());
     CHECK(spells.front().region == "outer");
     CHECK(!spells.front().crossed);
     const auto inner = std::ranges::find(spells, "inner", &ContactSpell::region);
     REQUIRE(inner != spells.end());
     CHECK(inner->crossed);
     CHECK(inner->last - inner->first > 50);
-    const auto force = run.history["normal_force_N"];
-    for (std::size_t row = inner->first; row < inner->last; ++row)
-      CHECK(force[static_cast<Eigen::Index>(row)] > 0.0);
+    const auto force = run.all()["slot.normal_force_N"];
+    const auto last = static_cast<Eigen::Index>(inner->last) - 1;  // just before the release
+    for (auto row = static_cast<Eigen::Index>(inner->first); row < last; ++row)
+      CHECK(force[row] > 0.0);
+    CHECK(force[last] == doctest::Approx(0.0).scale(run.peak_force()).epsilon(1e-9));
   }
 
   TEST_CASE("after many turns BDF at a tight tolerance takes steps of high order") {
@@ -220,7 +222,7 @@ TEST_SUITE("scotch-yoke") {
     const RunRequest rolling = request_with({"revolutions=0.25", "pin=rolling"}, 101);
     const LawRun a = run_law(find_case("scotch_yoke"), fixed, "johnson", {});
     const LawRun b = run_law(find_case("scotch_yoke"), rolling, "johnson", {});
-    CHECK((a.history["slider_x_m"] - b.history["slider_x_m"]).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((a.samples["slider.x_m"] - b.samples["slider.x_m"]).cwiseAbs().maxCoeff() < 1e-9);
     CHECK(b.history["pin_speed_rad_per_s"].cwiseAbs().maxCoeff() < 1e-9);
   }
 }

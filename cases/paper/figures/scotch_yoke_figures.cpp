@@ -91,12 +91,13 @@ bool is_outer(std::string_view region) { return region == "outer" || region == "
 /// at nearly the same speed for every law. False if there is none.
 bool write_loop(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   const auto spells =
-      contact_spells(run, run.samples, choices.last_revolution_start(), choices.end_time());
+      contact_spells(run, run.all(), choices.last_revolution_start(), choices.end_time());
   const auto landing = std::ranges::find_if(spells, [](const ContactSpell& s) {
     return s.crossed && is_outer(s.region) && s.last > s.first;
   });
   if (landing == spells.end()) return false;
-  const auto force = run.motion()["normal_force_N"], penetration = run.motion()["penetration_m"];
+  const auto force = run.all()["slot.normal_force_N"],
+             penetration = run.all()["slot.penetration_m"];
   Rows rows("penetration_um,force_N");
   rows.add(0.0, 0.0);
   for (std::size_t row = landing->first; row < landing->last; ++row) {
@@ -368,16 +369,20 @@ Rows slot_outline(double width) {
   return rows;
 }
 
-/// Poses to draw the mechanism in: 90 in a revolution.
+/// Poses to draw the mechanism in: 90 in a revolution, at equal distances in time.
 void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   Rows rows("pin_x_mm,pin_y_mm,slider_x_mm,angle_deg,force_x_N,force_y_N");
   const auto angle = run.motion()["crank_angle_relative_rad"], x = run.motion()["slider_x_m"],
              force = run.motion()["normal_force_N"];
   const std::size_t region = run.motion().index("region");
   const Window window = last_revolution(run, choices);
+  const Eigen::VectorXd t = run.motion()["t_s"];
+  const double begin = choices.last_revolution_start();
   for (int frame = 0; frame < 90; ++frame) {
-    const std::size_t row =
-        window.first + (window.last - 1 - window.first) * static_cast<std::size_t>(frame) / 90;
+    const double at = begin + (choices.end_time() - begin) * frame / 90.0;
+    const auto row =
+        std::max(window.first,
+                 static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), at) - t.begin()));
     const auto i = static_cast<Eigen::Index>(row);
     const Vec2 pin = rotate(choices.start_angle + angle[i], {choices.crank_length, 0.0});
     const Vec2 away = (pin - Vec2{x[i], 0.0}).normalized();

@@ -144,11 +144,10 @@ TEST_CASE("results of every format come back with every name, unit and bit") {
       sample_header(make_model(c, Parameters(c.parameters, {"turns=1"}), "hertz-flores"));
   const SampleColumns columns(header, {}, {});
   const std::vector<ContactSpan> impacts = contact_spans(run.all(), run.events);
-  std::vector<OutputTable> tables = columns.tables(run.samples, run.stride);
+  std::vector<OutputTable> tables = columns.tables(run.samples);
   tables.push_back(event_table(run.events, -1.0));
   tables.push_back(impact_table(impacts, -1.0));
   REQUIRE(tables.size() == 6);
-  REQUIRE(run.stride > 1);
 
   const TemporaryFolder scratch;
   const auto folder = [&](const std::string& format) {
@@ -400,7 +399,7 @@ TEST_CASE("docs/results.md lists the columns that runs write, with their units")
     const Table header = sample_header(model);
     const std::vector<MotionColumn> own =
         c.columns ? c.columns(parameters, model) : std::vector<MotionColumn>{};
-    for (const OutputTable& table : SampleColumns(header, own, {}).tables(header, 1))
+    for (const OutputTable& table : SampleColumns(header, own, {}).tables(header))
       take(table.name == "motion" && !own.empty() ? "motion of " + c.name : table.name, table);
   };
   for (const Case& c : case_registry()) take_case(c, {}, {}, "");

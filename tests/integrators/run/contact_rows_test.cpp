@@ -69,6 +69,41 @@ TEST_CASE("rows within contacts show each impact whole, beside samples that are 
   CHECK(run.samples["floor.normal_force_N"].maxCoeff() < 0.5 * peak);
 }
 
+// Energy: k d^2/2 = m g (height + d). Without damping all impacts are alike.
+TEST_CASE("there is a row at the peak of each impact, wherever steps end") {
+  const double height = 0.1, weight = 9.81;
+  const Model model = dropped(height);
+  const double depth =
+      (weight + std::sqrt(weight * weight + 2.0 * stiffness * weight * height)) / stiffness;
+  for (const char* formulation : {"arkode-projection", "ida-ggl", "cvode-projection"}) {
+    INFO(formulation);
+    const Result run = simulate(model, {.until = 1.0,
+                                        .relative_tolerance = 1e-10,
+                                        .formulation = formulation,
+                                        .samples = 2,
+                                        .contact_rows = 1});
+    REQUIRE(run.summary.ok());
+    const Eigen::VectorXd t = run.contact_samples["t_s"];
+    const Eigen::VectorXd d = run.contact_samples["floor.penetration_m"];
+    const Eigen::VectorXd force = run.contact_samples["floor.normal_force_N"];
+    int impacts = 0;
+    double onset = -1.0;
+    for (const EventRecord& e : run.events) {
+      if (e.kind == "onset") onset = e.t;
+      if (e.kind != "release" || onset < 0.0) continue;
+      ++impacts;
+      double deepest = 0.0, largest = 0.0;
+      for (Eigen::Index i = 0; i < t.size(); ++i)
+        if (t[i] >= onset && t[i] <= e.t)
+          deepest = std::max(deepest, d[i]), largest = std::max(largest, force[i]);
+      CHECK(deepest == doctest::Approx(depth).epsilon(1e-8));
+      CHECK(largest == doctest::Approx(stiffness * depth).epsilon(1e-8));
+    }
+    CHECK(impacts >= 3);
+    CHECK(std::is_sorted(t.begin(), t.end()));
+  }
+}
+
 TEST_CASE("a contact that lasts has ever fewer rows") {
   const Model model = dropped(-1.5 * 9.81 / stiffness);  // swings about its place at rest
   SimulationOptions options{.until = 0.1, .samples = 2, .contact_rows = 4};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
-#include <yoke/integrators/run/sampling.hpp>
+#include <yoke/integrators/run/rows/sampling.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -19,34 +19,7 @@ namespace {
 
 constexpr double largest_drift = 1e4;  // in units of the tolerance; a step errs by about one
 
-std::ptrdiff_t touching(const std::vector<ContactMemory>& contacts) {
-  return std::ranges::count_if(
-      contacts, [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
-}
-
 }  // namespace
-
-void ContactRows::start(const std::vector<ContactMemory>& contacts) {
-  touching_ = touching(contacts);
-  steps_ = 0;
-}
-
-bool ContactRows::begins(const std::vector<ContactMemory>& contacts) {
-  if (!wanted()) return false;
-  const std::ptrdiff_t before = touching_;
-  touching_ = touching(contacts);
-  if (touching_ <= before) return false;
-  steps_ = 0;
-  return true;
-}
-
-bool ContactRows::step() {
-  if (!wanted() || touching_ == 0) return false;
-  ++steps_;
-  long every = 1;
-  for (long dense = wanted_; steps_ > dense; dense *= 2) every *= 2;
-  return steps_ % every == 0;
-}
 
 RunSamples::RunSamples(Dynamics& dynamics, Result& result, const SimulationOptions& options,
                        double begin)
@@ -54,7 +27,7 @@ RunSamples::RunSamples(Dynamics& dynamics, Result& result, const SimulationOptio
       result_(result),
       options_(options),
       recorder_(dynamics, result, static_cast<std::size_t>(std::max(options.samples, 0))),
-      contact_rows_(options.contact_rows),
+      contact_rows_(dynamics, options.contact_rows),
       begin_(begin) {
   if (contact_rows_.wanted()) result.contact_samples = result.samples.every(1);
   result.events.reserve(1024);
@@ -76,7 +49,7 @@ void RunSamples::go_back(const State& state, double initial_energy) {
   };
   forget(result_.samples);
   if (contact_rows_.wanted()) forget(result_.contact_samples);
-  contact_rows_.start(state.contacts);
+  contact_rows_.start(state);
   const std::size_t rows = result_.samples.rows();
   const bool has_row = rows > 0 && result_.samples.value(rows - 1, 0) == state.t;
   next_ = 0;
@@ -95,8 +68,12 @@ Outcome RunSamples::record_up_to(double t, Formulation& formulation, State& scra
   return outcome;
 }
 
-Outcome RunSamples::record_in_contact(double t, Formulation& formulation, State& scratch) {
-  return record_at(t, formulation, scratch, result_.contact_samples);
+Outcome RunSamples::record_in_contact(const StepSpan& step, Formulation& formulation,
+                                      State& scratch) {
+  Outcome outcome;
+  for (const double t : contact_rows_.due_in(step, dynamics_.system(), formulation, scratch))
+    if (outcome) outcome = record_at(t, formulation, scratch, result_.contact_samples);
+  return outcome;
 }
 
 Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch, Table& table) {
@@ -108,7 +85,7 @@ Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch
 }
 
 void RunSamples::record_restart(const State& state) {
-  if (contact_rows_.begins(state.contacts)) recorder_.record(state, result_.contact_samples);
+  if (contact_rows_.begins(state)) recorder_.record(state, result_.contact_samples);
   if (next_time() == state.t) {
     recorder_.record(state);
     ++next_;

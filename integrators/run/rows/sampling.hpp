@@ -7,30 +7,13 @@
 
 #include <yoke/integrators/formulations/formulation.hpp>
 #include <yoke/integrators/run/recorder.hpp>
+#include <yoke/integrators/run/rows/contact_rows.hpp>
 #include <yoke/integrators/simulate.hpp>
 
 namespace yoke {
 
 /// Time [s] of sample i of `samples`, uniform from `start` to `until`, both ends included.
 double sample_time(long i, long samples, double start, double until);
-
-/// Which steps leave a row within contacts: SimulationOptions::contact_rows.
-class ContactRows {
- public:
-  explicit ContactRows(int wanted) : wanted_(wanted) {}
-  bool wanted() const { return wanted_ > 0; }
-  /// Counts from here, whatever touches.
-  void start(const std::vector<ContactMemory>& contacts);
-  /// At a restart: has a contact begun? Then it counts from here.
-  bool begins(const std::vector<ContactMemory>& contacts);
-  /// At the end of a step: is a row due?
-  bool step();
-
- private:
-  int wanted_;
-  std::ptrdiff_t touching_ = 0;  // contacts
-  long steps_ = 0;               // since the last of them began
-};
 
 class RunSamples {
  public:
@@ -53,8 +36,8 @@ class RunSamples {
   /// Records what is due until `t` [s] in the last step of `formulation`. `scratch` has the memory
   /// and the parameters of that step; the system is left bound to it.
   Outcome record_up_to(double t, Formulation& formulation, State& scratch);
-  /// Records a row within a contact at t [s], likewise.
-  Outcome record_in_contact(double t, Formulation& formulation, State& scratch);
+  /// Records the rows within contacts that are due in the step, likewise.
+  Outcome record_in_contact(const StepSpan& step, Formulation& formulation, State& scratch);
   /// Records a state (projected) at which the integrator starts: a row if a sample is due there.
   void record_restart(const State& state);
   /// The row with which a run that is ended by an event ends.
