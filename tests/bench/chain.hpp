@@ -6,12 +6,12 @@
 
 #include <benchmark/benchmark.h>
 #include <suitesparse/klu.h>
-#include <time.h>
 
 #include <yoke/core/equations/linear/sparse.hpp>
 #include <yoke/core/units.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/joints/revolute.hpp>
+#include <yoke/tests/bench/clock.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,6 @@
 #include <vector>
 
 namespace yoke::bench {
-
-/// Processor time of this thread: other programs on the machine leave no trace but in the caches.
-struct Clock {
-  using time_point = double;  // [s]
-  static time_point now() {
-    timespec t{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
-};
-
-inline double seconds_since(Clock::time_point begin) { return Clock::now() - begin; }
 
 inline double median(std::vector<double> x) {
   std::ranges::nth_element(x, x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2));
