@@ -62,7 +62,7 @@ Case hanging_chain_case() {
                           .quantity = Quantity::number,
                           .default_text = "1",
                           .low = 1.0,
-                          .high = 400.0,
+                          .high = 1e6,
                           .whole = true,
                           .description = "of the chain; one is the pendulum"},
                          {.name = "length",

@@ -33,8 +33,7 @@ nlohmann::json larger(double a, double b) { return number(std::max(a, b)); }
 void Table::add_column(std::string name, std::string_view unit, std::vector<std::string> labels) {
   // "m/s^2" becomes "_m_per_s2": column names are identifiers in most tools that read them.
   if (unit == "1") unit = "";
-  units_.emplace_back(unit);
-  parts_.push_back(part_);
+  Kind kind{std::string(unit), part_, std::move(labels)};
   if (!unit.empty()) name += "_";
   for (const char c : unit) {
     if (c == '/') {
@@ -46,7 +45,10 @@ void Table::add_column(std::string name, std::string_view unit, std::vector<std:
     }
   }
   names_.push_back(std::move(name));
-  labels_.push_back(std::move(labels));
+  const auto known = std::find(kinds_.rbegin(), kinds_.rend(), kind);
+  kind_.push_back(static_cast<std::uint32_t>(known == kinds_.rend() ? kinds_.size()
+                                                                    : kinds_.rend() - known - 1));
+  if (known == kinds_.rend()) kinds_.push_back(std::move(kind));
 }
 
 void Table::reserve(std::size_t rows) {
@@ -93,16 +95,16 @@ Eigen::VectorXd Table::operator[](std::string_view name) const {
 
 std::vector<std::string> Table::parts() const {
   std::vector<std::string> found;
-  for (std::size_t i = 1; i < parts_.size(); ++i)
-    if (std::ranges::find(found, parts_[i]) == found.end()) found.push_back(parts_[i]);
+  for (std::size_t i = 1; i < names_.size(); ++i)
+    if (std::ranges::find(found, part(i)) == found.end()) found.push_back(part(i));
   if (found.empty()) found.emplace_back("motion");
   return found;
 }
 
 std::vector<std::size_t> Table::columns_of(std::string_view part) const {
   std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-    if (i == 0 || parts_[i] == part) columns.push_back(i);
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (i == 0 || kind_of(i).part == part) columns.push_back(i);
   return columns;
 }
 
@@ -110,9 +112,19 @@ Table Table::headed_alike() const {
   Table table;
   table.part_ = part_;
   table.names_ = names_;
-  table.units_ = units_;
-  table.parts_ = parts_;
-  table.labels_ = labels_;
+  table.kind_ = kind_;
+  table.kinds_ = kinds_;
+  return table;
+}
+
+Table Table::only(const std::vector<std::size_t>& columns) const {
+  Table table;
+  table.part_ = part_;
+  table.kinds_ = kinds_;
+  for (const std::size_t i : columns) {
+    table.names_.push_back(names_[i]);
+    table.kind_.push_back(kind_[i]);
+  }
   return table;
 }
 
@@ -144,8 +156,8 @@ Table Table::every(std::size_t n, std::size_t first) const {
 
 std::string Table::text(std::size_t row, std::size_t column) const {
   const double x = value(row, column);
-  if (labels_[column].empty()) return fmt::format("{}", x);
-  return labels_[column].at(static_cast<std::size_t>(x));
+  if (labels(column).empty()) return fmt::format("{}", x);
+  return labels(column).at(static_cast<std::size_t>(x));
 }
 
 void Table::write_csv(const std::filesystem::path& path) const {
@@ -162,10 +174,10 @@ void Table::write_csv(const std::filesystem::path& path,
   for (std::size_t i = 0; i < rows_; ++i) {
     for (const std::size_t j : columns) {
       const double x = value(i, j);
-      if (labels_[j].empty())
+      if (labels(j).empty())
         file.cell(x);
       else
-        file.cell(labels_[j].at(static_cast<std::size_t>(x)));
+        file.cell(labels(j).at(static_cast<std::size_t>(x)));
     }
     file.end_line();
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -53,15 +54,19 @@ class Table {
   /// For messages: the names that begin like this one up to its dot.
   std::string nearest(std::string_view name) const;
   /// Labels of a column, empty if it holds numbers.
-  const std::vector<std::string>& labels(std::size_t column) const { return labels_[column]; }
+  const std::vector<std::string>& labels(std::size_t column) const {
+    return kind_of(column).labels;
+  }
   /// As "m/s^2"; empty if the column has none or it was not told apart from the name.
-  const std::string& unit(std::size_t column) const { return units_[column]; }
+  const std::string& unit(std::size_t column) const { return kind_of(column).unit; }
   /// The part a column belongs to: "motion", "reactions", ...
-  const std::string& part(std::size_t column) const { return parts_[column]; }
+  const std::string& part(std::size_t column) const { return kind_of(column).part; }
   /// Parts that have columns besides the first, in their order; "motion" of a table of one column.
   std::vector<std::string> parts() const;
   /// The first column and those of a part.
   std::vector<std::size_t> columns_of(std::string_view part) const;
+  /// A table without rows, of these columns.
+  Table only(const std::vector<std::size_t>& columns) const;
   /// A table of the same columns with rows first, first + n, first + 2 n, ...; n >= 1.
   Table every(std::size_t n, std::size_t first = 0) const;
   /// A table with the rows of both, which have the same columns, rising in the first, the time; of
@@ -76,11 +81,19 @@ class Table {
   void write_csv(const std::filesystem::path& path, const std::vector<std::size_t>& columns) const;
 
  private:
+  /// What many columns share: a large model has millions of them.
+  struct Kind {
+    std::string unit, part;
+    std::vector<std::string> labels;
+    bool operator==(const Kind&) const = default;
+  };
+  const Kind& kind_of(std::size_t column) const { return kinds_[kind_[column]]; }
   Table headed_alike() const;
 
   std::string part_ = "motion";
-  std::vector<std::string> names_, units_, parts_;
-  std::vector<std::vector<std::string>> labels_;
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> kind_;  // of each column
+  std::vector<Kind> kinds_;
   std::vector<double> data_;
   std::size_t rows_ = 0;
 };

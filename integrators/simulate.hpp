@@ -46,6 +46,9 @@ struct SimulationOptions {
   /// of the n steps after those, of every fourth of the 2 n after those, and so on; and rows at its
   /// events and where its force or its penetration is larger than ever before in it.
   int contact_rows = 0;
+  /// Columns of the samples that are kept, by patterns with * and ? ("link 7.*"), besides the time;
+  /// empty: all. What a large model has fills the memory.
+  std::vector<std::string> columns{};
   double length_scale = 0.0;     // [m] error weight of positions
   double time_scale = 0.0;       // [s] of velocities: length / time
   double baumgarte_rate = 0.0;   // [1/s] gain after Baumgarte, see docs/numerics.md

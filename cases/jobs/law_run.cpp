@@ -111,6 +111,22 @@ bool of_element(const EventRecord& event, std::string_view element) {
   return element.empty() || event.element == element;
 }
 
+/// Patterns of the columns that the run keeps; empty: all. Throws ModelError where all are too many and
+/// some are not enough.
+std::vector<std::string> columns_to_keep(const RunRequest& request, const Model& model) {
+  const double columns = 9.0 * static_cast<double>(model.bodies().size() - 1) +
+                         3.0 * static_cast<double>(model.constraints().size());
+  const double gibibytes =
+      columns * request.samples * static_cast<double>(sizeof(double)) / (1024.0 * 1024.0 * 1024.0);
+  if (gibibytes <= request.most_gibibytes) return {};
+  if (request.choice.columns.empty() || request.plots || request.report)
+    throw ModelError(fmt::format(
+        "{} rows of {:.3g} columns would take {:.0f} GiB: ask for fewer rows (--samples), or for some "
+        "columns without pictures and checks (--columns PATTERN --no-plots --no-report)",
+        request.samples, columns, gibibytes));
+  return request.choice.columns;
+}
+
 /// What the case says of its run.
 void judge(const Case& c, const RunRequest& request, const Model& model, const Result& result,
            LawRun& run) {
@@ -150,15 +166,18 @@ long LawRun::onsets() const {
 LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
                std::function<bool(const Progress&)> observer, RunOutput* output) {
   const Model model = make_model(c, request.parameters, law);
-  const std::vector<std::string> contacts = contact_names(model);
+  const std::vector<std::string> kept = columns_to_keep(request, model);
+  const bool all = kept.empty();
+  const std::vector<std::string> contacts = all ? contact_names(model) : std::vector<std::string>{};
   LawRun run{.law = law, .done = true};
   SimulationOptions options =
       simulation_options(request, c.duration(request.parameters), request.samples, request.output);
   if (!contacts.empty() && request.samples > 0) options.contact_rows = rows_of_contact;
+  options.columns = kept;
   const std::vector<MotionColumn> own =
-      c.columns ? c.columns(request.parameters, model) : std::vector<MotionColumn>{};
+      c.columns && all ? c.columns(request.parameters, model) : std::vector<MotionColumn>{};
   if (output != nullptr) {
-    output->begin(model, own, static_cast<std::size_t>(request.samples));
+    output->begin(model, own, static_cast<std::size_t>(request.samples), kept);
     options.observer = [output, observe = std::move(observer)](const Progress& progress) {
       output->watch(*progress.so_far);
       return !observe || observe(progress);
@@ -176,10 +195,10 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
     options.contact_rows = 0;
     run.verification = verify(model, options, result);
   }
-  judge(c, request, model, result, run);
+  if (all) judge(c, request, model, result, run);
   keep(std::move(result), run);
   run.contacts = contact_records(contacts, run);
-  run.peak = largest_force(run.all(), contacts);
+  if (all) run.peak = largest_force(run.all(), contacts);
   if (!own.empty()) run.history = renamed(run.all(), own);
   if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,

@@ -18,10 +18,11 @@ namespace yoke::cases {
 
 struct RunRequest {
   Parameters parameters;
-  std::vector<std::string> laws;      // specifications; empty: a case without a choice of laws
-  std::filesystem::path output;       // folder for the results
-  int samples = 4001;                 // rows of tables, uniform in time, both ends
-  OutputChoice choice{};              // what of them is written, and how
+  std::vector<std::string> laws;  // specifications; empty: a case without a choice of laws
+  std::filesystem::path output;   // folder for the results
+  int samples = 4001;             // rows of tables, uniform in time, both ends
+  OutputChoice choice{};          // what of them is written, and how
+  double most_gibibytes = 4.0;    // tables that would take more are kept only as far as asked for
   double relative_tolerance = 1e-10;  // impacts amplify errors
   std::string formulation = "automatic";
   bool plots = true;

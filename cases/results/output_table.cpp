@@ -9,6 +9,7 @@
 
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/core/error.hpp>
+#include <yoke/core/output/pattern.hpp>
 #include <yoke/integrators/run/recorder.hpp>
 
 namespace yoke::cases {
@@ -79,10 +80,10 @@ std::vector<OutputTable> SampleColumns::tables(const Table& samples) const {
   return tables;
 }
 
-Table sample_header(const Model& model) {
+Table sample_header(const Model& model, const std::vector<std::string>& patterns) {
   Dynamics dynamics(model);
   Result result;
-  const Recorder recorder(dynamics, result, 0);
+  const Recorder recorder(dynamics, result, 0, patterns);
   return std::move(result.samples);
 }
 
@@ -109,17 +110,6 @@ OutputTable event_table(const std::vector<EventRecord>& events, double from) {
                       numbers("penetration_m", "m", &EventRecord::penetration),
                       words("element", &EventRecord::element)},
           .rows = static_cast<std::size_t>(events.end() - begin)};
-}
-
-bool matches(std::string_view pattern, std::string_view name) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() == '*') {
-    for (std::size_t i = 0; i <= name.size(); ++i)
-      if (matches(pattern.substr(1), name.substr(i))) return true;
-    return false;
-  }
-  return !name.empty() && (pattern.front() == '?' || pattern.front() == name.front()) &&
-         matches(pattern.substr(1), name.substr(1));
 }
 
 }  // namespace yoke::cases

@@ -75,13 +75,10 @@ class SampleColumns {
   OutputChoice choice_;
 };
 
-/// The samples of a model without rows.
-Table sample_header(const Model& model);
+/// The samples of a model without rows, with all columns or those that fit one of the patterns.
+Table sample_header(const Model& model, const std::vector<std::string>& patterns = {});
 
 /// Events from a time [s] on.
 OutputTable event_table(const std::vector<EventRecord>& events, double from);
-
-/// Does a name match a pattern, in which * is any text and ? any character?
-bool matches(std::string_view pattern, std::string_view name);
 
 }  // namespace yoke::cases

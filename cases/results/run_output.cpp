@@ -77,8 +77,8 @@ RunOutput::RunOutput(OutputChoice choice, std::filesystem::path folder)
     : choice_(std::move(choice)), folder_(std::move(folder)) {}
 
 void RunOutput::begin(const Model& model, const std::vector<MotionColumn>& own,
-                      std::size_t expected_rows) {
-  columns_.emplace(sample_header(model), own, choice_);
+                      std::size_t expected_rows, const std::vector<std::string>& kept) {
+  columns_.emplace(sample_header(model, kept), own, choice_);
   expected_rows_ = expected_rows / choice_.every + 1;
   last_ = seconds_now();
 }

@@ -21,9 +21,10 @@ class RunOutput {
  public:
   /// Nothing is written before watch() or finish().
   RunOutput(OutputChoice choice, std::filesystem::path folder);
-  /// Of a run of `model` that will have `expected_rows` samples. Throws ModelError for columns that
-  /// are not there.
-  void begin(const Model& model, const std::vector<MotionColumn>& own, std::size_t expected_rows);
+  /// Of a run of `model` that will have `expected_rows` samples, of all columns or of those that fit
+  /// `kept`. Throws ModelError for columns that are not there.
+  void begin(const Model& model, const std::vector<MotionColumn>& own, std::size_t expected_rows,
+             const std::vector<std::string>& kept = {});
   /// Takes what the run has so far, at most once a second, where the format allows it.
   void watch(const Result& so_far);
   /// Writes all tables. Throws OutputError naming the path.

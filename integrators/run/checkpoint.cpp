@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 5;
+constexpr std::uint32_t format_version = 6;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -112,6 +112,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("formulation", c.formulation);
   visit("samples", c.samples);
   visit("contact_rows", c.contact_rows);
+  visit("chosen_columns", c.chosen_columns);
   visit("every", c.every);
   visit("every_events", c.every_events);
   visit("baumgarte_rate", c.baumgarte_rate);

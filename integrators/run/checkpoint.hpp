@@ -37,6 +37,7 @@ struct Checkpoint {
   double relative_tolerance = 0.0;
   std::string formulation;
   int samples = 0, contact_rows = 0;
+  std::vector<std::string> chosen_columns{};
   double every = 0.0;
   long every_events = 0;
   double baumgarte_rate = 0.0;

@@ -46,6 +46,7 @@ void RunCheckpoints::write(Checkpoint c, const Result& result) {
   c.relative_tolerance = options_.relative_tolerance;
   c.samples = options_.samples;
   c.contact_rows = options_.contact_rows;
+  c.chosen_columns = options_.columns;
   c.every = options_.checkpoints.every;
   c.every_events = options_.checkpoints.every_events;
   c.baumgarte_rate = options_.baumgarte_rate;
@@ -112,6 +113,7 @@ SimulationOptions options_of(const Checkpoint& c, const std::filesystem::path& f
           .formulation = c.formulation,
           .samples = c.samples,
           .contact_rows = c.contact_rows,
+          .columns = c.chosen_columns,
           .length_scale = c.scales.length,
           .time_scale = c.scales.time,
           .baumgarte_rate = c.baumgarte_rate,

@@ -2,9 +2,13 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/recorder.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/error.hpp>
+#include <yoke/core/output/pattern.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
 
 namespace yoke {
@@ -25,12 +29,42 @@ void add_body_columns(Table& table, const Body& body) {
     table.add_column(n + name, unit);
 }
 
+/// Columns that fit a pattern, and the first one, the time.
+std::vector<std::size_t> choose_columns(const Table& all,
+                                        const std::vector<std::string>& patterns) {
+  std::vector<bool> wanted(all.names().size(), false);
+  wanted.front() = true;
+  for (const std::string& pattern : patterns) {
+    bool fits = false;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (matches(pattern, all.names()[i])) wanted[i] = fits = true;
+    if (!fits)
+      throw ModelError(
+          fmt::format("simulation: columns: none fits '{}' (* is any text, ? any character); {}",
+                      pattern, all.nearest(pattern)));
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i]) columns.push_back(i);
+  return columns;
+}
+
 }  // namespace
 
-Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
+Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows,
+                   const std::vector<std::string>& patterns)
     : dynamics_(dynamics), result_(result) {
-  const System& system = dynamics.system();
-  Table& table = result.samples;
+  add_columns(result.samples);
+  if (!patterns.empty()) {
+    chosen_ = choose_columns(result.samples, patterns);
+    row_.resize(result.samples.names().size());
+    result.samples = result.samples.only(chosen_);
+  }
+  result.samples.reserve(rows);
+}
+
+void Recorder::add_columns(Table& table) {
+  const System& system = dynamics_.system();
   table.add_column("t", "s");
   for (std::size_t i = 1; i < system.model().bodies().size(); ++i)
     add_body_columns(table, system.model().bodies()[i]);
@@ -54,7 +88,6 @@ Recorder::Recorder(Dynamics& dynamics, Result& result, std::size_t rows)
   is_work_ = system.quadratures_of_work();
   for (const char* name : {"kinetic", "potential", "stored", "dissipated", "work", "balance"})
     table.add_column(name, "J");
-  table.reserve(rows);
 }
 
 void Recorder::start(const State& state) {
@@ -70,7 +103,13 @@ void Recorder::start(const State& state) {
 void Recorder::record(const State& state, Table& table) {
   check(state);
   dynamics_.share_hold_forces(state.lambda.data());
+  if (chosen_.empty()) return fill(state, table.append());
+  fill(state, row_.data());
   double* row = table.append();
+  for (const std::size_t i : chosen_) *row++ = row_[i];
+}
+
+void Recorder::fill(const State& state, double* row) {
   *row++ = state.t;
   row = record_bodies(state, row);
   row = record_reactions(row);

@@ -13,8 +13,10 @@ namespace yoke {
 
 class Recorder {
  public:
-  /// Adds the columns of the model to `result`, with room for `rows` rows.
-  Recorder(Dynamics& dynamics, Result& result, std::size_t rows);
+  /// Adds the columns of the model to `result`, all or those that fit one of the patterns, with room
+  /// for `rows` rows. Throws ModelError for a pattern that fits none.
+  Recorder(Dynamics& dynamics, Result& result, std::size_t rows,
+           const std::vector<std::string>& patterns = {});
   /// Takes `state` (projected, with its accelerations) as the zero of the energy ledger.
   void start(const State& state);
   /// The zero of the ledger, to be kept when a run is taken up again.
@@ -32,6 +34,8 @@ class Recorder {
   void check(const State& state);
 
  private:
+  void add_columns(Table& table);
+  void fill(const State& state, double* row);
   double* record_bodies(const State& state, double* row) const;
   double* record_reactions(double* row) const;
   double* record_channels(double* row) const;
@@ -41,6 +45,8 @@ class Recorder {
   Result& result_;
   std::vector<std::size_t> channels_;  // of each force element
   std::vector<bool> is_work_;          // of each quadrature: work done, else dissipated
+  std::vector<std::size_t> chosen_;    // columns that are kept; empty: all
+  std::vector<double> row_;            // of all columns, where not all are kept
   Ledger ledger_;
 };
 

@@ -26,7 +26,8 @@ RunSamples::RunSamples(Dynamics& dynamics, Result& result, const SimulationOptio
     : dynamics_(dynamics),
       result_(result),
       options_(options),
-      recorder_(dynamics, result, static_cast<std::size_t>(std::max(options.samples, 0))),
+      recorder_(dynamics, result, static_cast<std::size_t>(std::max(options.samples, 0)),
+                options.columns),
       contact_rows_(dynamics, options.contact_rows),
       begin_(begin) {
   if (contact_rows_.wanted()) result.contact_samples = result.samples.every(1);

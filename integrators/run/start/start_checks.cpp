@@ -2,6 +2,8 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/run/start/start_checks.hpp>
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -108,6 +110,8 @@ void check_checkpoint(const Model& model, const SimulationOptions& options, cons
   same("linear_solver", options.linear_solver, c.linear_solver);
   same("samples", options.samples, c.samples);
   same("contact_rows", options.contact_rows, c.contact_rows);
+  same("columns", fmt::format("{}", fmt::join(options.columns, ",")),
+       fmt::format("{}", fmt::join(c.chosen_columns, ",")));
   same("checkpoints.every", options.checkpoints.every, c.every);
   same("checkpoints.every_events", options.checkpoints.every_events, c.every_events);
 }

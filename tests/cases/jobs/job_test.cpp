@@ -109,6 +109,29 @@ TEST_SUITE("job") {
     CHECK(yoke::tests::contains(comparison, "a.peak_force_N"));
   }
 
+  TEST_CASE("of a model too large for all of its columns those asked for are kept") {
+    const Case& c = find_case("hanging_chain");
+    RunRequest request{.parameters = Parameters(c.parameters, {"links=20"}),
+                       .laws = {},
+                       .output = {},
+                       .samples = 101,
+                       .most_gibibytes = 1e-5,
+                       .plots = false};
+    CHECK_THROWS_WITH_AS(run_law(c, request, "", {}), doctest::Contains("ask for fewer rows"),
+                         ModelError);
+    request.choice.columns = {"link 7.*", "*_J"};
+    const LawRun run = run_law(c, request, "", {});
+    REQUIRE(run.summary.ok());
+    CHECK(run.samples.has("link 7.angle_rad"));
+    CHECK(run.samples.has("balance_J"));
+    CHECK_FALSE(run.samples.has("link 8.angle_rad"));
+    request.most_gibibytes = 1.0;
+    const LawRun whole = run_law(c, request, "", {});
+    for (const std::string& name : run.samples.names())
+      CHECK((run.samples[name].array() == whole.samples[name].array()).all());
+    CHECK(whole.samples.has("link 8.angle_rad"));
+  }
+
   TEST_CASE("the hardest contact is drawn whole, however few rows a run has") {
     const yoke::tests::TemporaryFolder scratch;
     const Case c = marbles();

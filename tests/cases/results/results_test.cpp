@@ -23,6 +23,7 @@
 #include <yoke/cases/results/mat_file.hpp>
 #include <yoke/cases/results/run_output.hpp>
 #include <yoke/core/error.hpp>
+#include <yoke/core/output/pattern.hpp>
 #include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/messages.hpp>
 
