@@ -58,6 +58,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "cases/report",
       "cases/jobs",
       "cases/sweep",
+      "cases/maps",
       "cases/fmu",
       "cases/validation",
       "cases/paper/figures",
@@ -66,6 +67,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "cases/program",
       "cases/program/reports",
       "cases/program/texts",
+      "cases/program/maps",
       "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
