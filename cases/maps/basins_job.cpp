@@ -94,7 +94,8 @@ RunStatus run_basins(const Case& c, const BasinRequest& request) {
   map.table().write_csv(request.map.output / "basins.csv");
   write_attractors(request.map.output / "attractors.csv", map);
   const std::string plots = draw_map(
-      request.map, basins_figure(fmt::format("{}: basins, {}", c.name, request.map.at), map));
+      request.map, basins_figure(fmt::format("{}: basins, {}", c.name, request.map.at), map),
+      map.study.progress.done);
   print_basins(c, request, map);
   if (!request.map.quiet) print_files(request.map, "basins.csv, attractors.csv", plots);
   if (!map.study.complete) return RunStatus::interrupted;

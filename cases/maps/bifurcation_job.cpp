@@ -95,10 +95,8 @@ RunStatus run_bifurcation(const Case& c, const BifurcationRequest& request) {
                              .jobs = request.map.jobs,
                              .stop = [] { return interrupted(); }};
   options.map.run.observer = [](const Progress&) { return !interrupted(); };
-  StudyProgressLine line(!request.map.quiet);
-  options.observer = [&](std::size_t done, std::size_t total) {
-    line.report({.total = total, .done = done});
-  };
+  MapProgress line(!request.map.quiet);
+  options.observer = [&](std::size_t done, std::size_t total) { line.report(done, total); };
   const Bifurcation map = bifurcation(model, axis.axis.values, options);
   line.clear();
   make_output_folder(request.map.output);
@@ -112,8 +110,10 @@ RunStatus run_bifurcation(const Case& c, const BifurcationRequest& request) {
   };
   const std::string column = request.map.y.empty() ? options.map.columns.front() : request.map.y;
   const std::string plots =
-      draw_map(request.map, bifurcation_figure(fmt::format("{}: {}", c.name, request.map.at), label,
-                                               column, has(false), has(true)));
+      draw_map(request.map,
+               bifurcation_figure(fmt::format("{}: {}", c.name, request.map.at), label, column,
+                                  has(false), has(true)),
+               map.points.rows());
   print_bifurcation(c, request, axis, map);
   if (!request.map.quiet) print_files(request.map, "bifurcation.csv, periods.csv", plots);
   if (!map.complete) return RunStatus::interrupted;

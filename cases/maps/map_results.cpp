@@ -27,9 +27,9 @@ void print_ranges(const Table& points, std::size_t first) {
   for (std::size_t j = first; j < points.names().size(); ++j) {
     const Eigen::VectorXd column = points[points.names()[j]];
     const double low = column.minCoeff(), high = column.maxCoeff();
-    fmt::print(
-        "  {:<28} {}\n", points.names()[j],
-        low == high ? fmt::format("{:.9g}", low) : fmt::format("{:.9g} to {:.9g}", low, high));
+    const std::string from = fmt::format("{:.9g}", low), to = fmt::format("{:.9g}", high);
+    fmt::print("  {:<28} {}{}{}\n", points.names()[j], from, from == to ? "" : " to ",
+               from == to ? "" : to);
   }
 }
 

@@ -25,11 +25,9 @@ void print_poincare(const Case& c, const MapRequest& request, const Section& sec
 RunStatus run_poincare(const Case& c, const MapRequest& request) {
   const SectionedModel at = sectioned_model(c, request, {});
   PoincareOptions options = map_options(c, request, at);
-  StudyProgressLine line(!request.quiet);
-  StudyProgress progress{.total = options.discard + options.points};
+  MapProgress line(!request.quiet);
   options.observer = [&](std::size_t points) {
-    progress.done = points;
-    line.report(progress);
+    line.report(points, options.discard + options.points);
     return !interrupted();
   };
   options.run.observer = [](const Progress&) { return !interrupted(); };
@@ -43,7 +41,8 @@ RunStatus run_poincare(const Case& c, const MapRequest& request) {
                         : options.columns.size() > 3 ? options.columns[3]
                                                      : options.columns.back();
   const std::string plots =
-      draw_map(request, poincare_figure(fmt::format("{}: {}", c.name, at.section.text()), x, y));
+      draw_map(request, poincare_figure(fmt::format("{}: {}", c.name, at.section.text()), x, y),
+               map.points.rows());
   print_poincare(c, request, at.section, map);
   if (!request.quiet) print_files(request, "poincare.csv, summary.json", plots);
   if (interrupted()) return RunStatus::interrupted;
