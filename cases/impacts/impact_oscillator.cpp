@@ -137,7 +137,7 @@ std::vector<CaseParameter> impact_oscillator_parameters() {
       {.name = "start",
        .quantity = Quantity::length,
        .default_text = "0mm",
-       .low = -500.0_mm,
+       .low = -10000.0_mm,
        .high = 10000.0_mm,
        .description = "x at the start, not beyond the gap"},
       {.name = "start_speed",

@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/reduction", "integrators/analyses/details",
       "integrators/engine", "integrators/analyses", "integrators/studies/details",
-      "integrators/studies", "integrators/studies/maps"}},
+      "integrators/studies", "integrators/studies/maps/details", "integrators/studies/maps"}},
     {"cases",
      {"cases/choices",
       "cases/checks",
@@ -76,6 +76,7 @@ constexpr std::size_t largest_room = 24;  // headers and sources: a list that is
 const std::map<std::string, std::string> inner_rooms = {
     {"integrators/analyses/details", "integrators/analyses"},
     {"integrators/studies/details", "integrators/studies"},
+    {"integrators/studies/maps/details", "integrators/studies/maps"},
     {"contact/details", "contact"},
     {"core/curves/pieces", "core/curves"}};
 

@@ -7,13 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include <yoke/integrators/studies/maps/details/period_tolerances.hpp>
+
 namespace yoke {
 
 namespace {
 
 constexpr std::size_t bounded_quantity = 0, period_quantity = 1, first_mean = 2;
-
-bool is_angle_column(const std::string& name) { return name.ends_with("angle_rad"); }
 
 /// Mean and scatter of a column over the last rows; of an angle on the circle.
 struct Spread {

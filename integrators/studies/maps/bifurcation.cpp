@@ -9,6 +9,7 @@
 #include <mutex>
 #include <utility>
 
+#include <yoke/integrators/studies/maps/details/period_tolerances.hpp>
 #include <yoke/integrators/studies/work_pool.hpp>
 
 namespace yoke {
@@ -21,7 +22,6 @@ struct DiagramPart {
   bool backward = false;
   bool done = false;
   Poincare map{};
-  double tolerance = 0.0;  // of the run
 };
 
 /// The values of one thread in their turn.
@@ -95,7 +95,6 @@ class DiagramMaker {
       auto here = std::make_unique<SectionedModel>(model_(part.value));
       PoincareOptions options = options_.map;
       options.observer = [this](std::size_t) { return !stopped(); };
-      part.tolerance = options.run.relative_tolerance;
       compute(part, *here, before.get(), last, options);
       if (part.map.summary.stop == Stop::interrupted || (stopped() && !part.map.complete)) return;
       part.done = true;
@@ -159,7 +158,7 @@ class DiagramMaker {
         high = std::max(high, points.value(i, j));
       }
       const double width = points.rows() > 0 ? high - low : 0.0;
-      range.push_back(points.names()[j].ends_with("angle_rad") ? std::min(width, 2.0 * pi) : width);
+      range.push_back(is_angle_column(points.names()[j]) ? std::min(width, 2.0 * pi) : width);
     }
     return range;
   }
@@ -167,17 +166,9 @@ class DiagramMaker {
   /// A value beside others knows what is far by them; one alone by its transient.
   std::size_t period(const DiagramPart& part, const std::vector<double>& range) const {
     if (part.map.points.rows() == 0) return 0;
-    constexpr double above_error_of_run = 100.0;
-    std::vector<double> tolerances{-1.0};
-    for (std::size_t j = 1; j < range.size(); ++j) {
-      double largest = 0.0;
-      for (std::size_t i = 0; i < part.map.points.rows(); ++i)
-        largest = std::max(largest, std::abs(part.map.points.value(i, j)));
-      const double wide = parts_.size() > 1 ? range[j] : part.map.range[j];
-      tolerances.push_back(std::max(options_.map.period_tolerance * wide,
-                                    above_error_of_run * part.tolerance * largest));
-    }
-    return period_of(part.map.points, tolerances);
+    return period_of(
+        part.map.points,
+        period_tolerances(part.map, parts_.size() > 1 ? range : part.map.range, options_.map));
   }
 
   const ModelOfParameter& model_;

@@ -9,16 +9,14 @@
 #include <utility>
 
 #include <yoke/integrators/simulation.hpp>
+#include <yoke/integrators/studies/maps/details/period_tolerances.hpp>
 
 namespace yoke {
 
 namespace {
 
 constexpr double turn = 2.0 * pi;
-constexpr double too_near = 1e-9;      // of the run: a point that is the start itself
-constexpr double above_error = 100.0;  // of the run's tolerance: two points may differ so
-
-bool is_angle(const std::string& column) { return column.ends_with("angle_rad"); }
+constexpr double too_near = 1e-9;  // of the run: a point that is the start itself
 
 /// k of the first point offset + k period behind `t`.
 double first_multiple(const Section& s, double t) {
@@ -149,8 +147,9 @@ class PointTaker {
   }
   void finish() {
     for (std::size_t i = 0; i < row_.size(); ++i)
-      map_.range.push_back(is_angle(map_.points.names()[i]) ? std::min(turn, high_[i] - low_[i])
-                                                            : high_[i] - low_[i]);
+      map_.range.push_back(is_angle_column(map_.points.names()[i])
+                               ? std::min(turn, high_[i] - low_[i])
+                               : high_[i] - low_[i]);
   }
 
  private:
@@ -160,19 +159,6 @@ class PointTaker {
   std::vector<std::size_t> sources_;
   std::vector<double> low_, high_, row_;
 };
-
-/// A part of the range, but no less than what the run's own errors make.
-std::vector<double> period_tolerances(const Poincare& map, const PoincareOptions& options) {
-  const double error = above_error * options.run.relative_tolerance;
-  std::vector<double> tolerances{-1.0};
-  for (std::size_t j = 1; j < map.range.size(); ++j) {
-    double largest = is_angle(map.points.names()[j]) ? 1.0 : 0.0;
-    for (std::size_t i = 0; i < map.points.rows(); ++i)
-      largest = std::max(largest, std::abs(map.points.value(i, j)));
-    tolerances.push_back(std::max(options.period_tolerance * map.range[j], error * largest));
-  }
-  return tolerances;
-}
 
 std::string why_not_all(const Simulation& run, const Poincare& map,
                         const PoincareOptions& options) {
@@ -190,7 +176,7 @@ std::string why_not_all(const Simulation& run, const Poincare& map,
 std::size_t period_of(const Table& rows, const std::vector<double>& tolerances) {
   const std::size_t n = rows.rows(), columns = rows.names().size();
   std::vector<bool> angles;
-  for (const std::string& name : rows.names()) angles.push_back(is_angle(name));
+  for (const std::string& name : rows.names()) angles.push_back(is_angle_column(name));
   const auto same = [&](std::size_t a, std::size_t b) {
     for (std::size_t j = 0; j < columns; ++j) {
       if (tolerances[j] < 0.0) continue;
@@ -235,8 +221,9 @@ Poincare poincare(const Model& model, const State& start, const Section& section
   taker.finish();
   map.complete = map.points.rows() == options.points;
   if (!map.complete) map.reason = why_not_all(run, map, options);
-  if (map.points.rows() > 0) map.period = period_of(map.points, period_tolerances(map, options));
   map.summary = run.result().summary;
+  if (map.points.rows() > 0)
+    map.period = period_of(map.points, period_tolerances(map, map.range, options));
   return map;
 }
 
