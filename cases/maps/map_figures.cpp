@@ -47,10 +47,18 @@ std::string attractor_title(const Basins& map, std::size_t a) {
 
 const char* colour_of(std::size_t attractor) { return map_colours[attractor % map_colours.size()]; }
 
-/// [gnuplot points] So that neighbours in a plot of about this size touch.
-double dot_size(const StudyPoints& grid) {
-  const std::size_t across = std::max(grid.axes()[0].values.size(), grid.axes()[1].values.size());
-  return std::clamp(100.0 / static_cast<double>(std::max<std::size_t>(across, 1)), 0.2, 6.0);
+/// Between the values of an axis, on average.
+double spacing(const StudyAxis& axis) {
+  if (axis.values.size() < 2) return 1.0;
+  const auto [low, high] = std::ranges::minmax(axis.values);
+  return (high - low) / static_cast<double>(axis.values.size() - 1);
+}
+
+/// Half a cell beyond the outermost starts.
+std::string cell_range(const char* name, const StudyAxis& axis) {
+  const auto [low, high] = std::ranges::minmax(axis.values);
+  return fmt::format("  set {} [{:.10g}:{:.10g}]\n", name, low - 0.5 * spacing(axis),
+                     high + 0.5 * spacing(axis));
 }
 
 }  // namespace
@@ -83,10 +91,10 @@ Figure basins_figure(const std::string& title, const Basins& map) {
   const StudyPoints& grid = map.study.points;
   const auto part = [&](int attractor, const std::string& name, const char* colour) {
     return fmt::format(
-        "'../basins.csv' using (column('attractor') == {} ? column({}) : NaN):(column({})) "
-        "title {} with points lc rgb '{}' pt 5 ps {:.3g}",
+        "'../basins.csv' using (column('attractor') == {} ? column({}) : NaN):(column({}))"
+        ":({:.10g}):({:.10g}) title {} with boxxyerror fs solid 1 noborder lc rgb '{}'",
         attractor, gnuplot_text(grid.axes()[0].name), gnuplot_text(grid.axes()[1].name),
-        gnuplot_text(name), colour, dot_size(grid));
+        0.5 * spacing(grid.axes()[0]), 0.5 * spacing(grid.axes()[1]), gnuplot_text(name), colour);
   };
   std::vector<std::string> parts;
   for (std::size_t a = 0; a < map.attractors.size(); ++a)
@@ -99,8 +107,8 @@ Figure basins_figure(const std::string& title, const Basins& map) {
           .width = 1100,
           .height = 800,
           .body = labels(title, axis_text(grid.axes()[0]), axis_text(grid.axes()[1])) +
-                  "  set key noenhanced\n  set autoscale xfix\n  set autoscale yfix\n" +
-                  plot_of(parts)};
+                  "  set key noenhanced\n" + cell_range("xrange", grid.axes()[0]) +
+                  cell_range("yrange", grid.axes()[1]) + plot_of(parts)};
 }
 
 }  // namespace yoke::cases
