@@ -86,9 +86,6 @@ MapRequest map_request(const Case& c, const MapOptions& o, const std::string& ve
   checked.columns.clear();
   checked.friction.clear();
   const RunRequest run = make_request(c, checked);
-  if (!(o.run.relative_tolerance >= 1e-13 && o.run.relative_tolerance <= 1e-2))
-    throw ModelError(
-        fmt::format("--rtol {}: accepted are 1e-13 to 1e-2", o.run.relative_tolerance));
   return {.settings = o.run.settings,
           .law = o.law,
           .friction = o.run.friction,

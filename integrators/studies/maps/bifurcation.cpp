@@ -92,10 +92,17 @@ class DiagramMaker {
     for (const std::size_t i : chain) {
       if (stopped()) return;
       DiagramPart& part = parts_[i];
-      auto here = std::make_unique<SectionedModel>(model_(part.value));
       PoincareOptions options = options_.map;
       options.observer = [this](std::size_t) { return !stopped(); };
-      compute(part, *here, before.get(), last, options);
+      std::unique_ptr<SectionedModel> here;
+      try {
+        here = std::make_unique<SectionedModel>(model_(part.value));
+        compute(part, *here, before.get(), last, options);
+      } catch (const ModelError& error) {
+        if (i == 0) throw;  // of the whole diagram, most likely
+        part.map = {};
+        part.map.reason = error.what();
+      }
       if (part.map.summary.stop == Stop::interrupted || (stopped() && !part.map.complete)) return;
       part.done = true;
       last = part.map.last;
@@ -104,7 +111,7 @@ class DiagramMaker {
     }
   }
 
-  /// What cannot start is a failure of this value alone, unless it is the first of all.
+  /// What cannot go on from where the value before has ended begins at its own start.
   void compute(DiagramPart& part, const SectionedModel& here, const SectionedModel* before,
                const State& last, const PoincareOptions& options) {
     if (before == nullptr) {

@@ -112,6 +112,7 @@ TEST_SUITE("bifurcation") {
 
   TEST_CASE("a value that cannot run is a row with its reason; the next begins afresh") {
     const ModelOfParameter fails = [](double w) {
+      if (w == 1.5) throw ModelError("no such mechanism");
       SectionedModel made = hardening(w);
       if (w == 1.4)
         made.model.add(EventFunction{.name = "end",
@@ -120,12 +121,14 @@ TEST_SUITE("bifurcation") {
       made.start = made.model.start_state();
       return made;
     };
-    const Bifurcation map = bifurcation(fails, {1.2, 1.4, 1.6}, few(Continuation::forward));
-    REQUIRE(map.rows.size() == 3);
+    const Bifurcation map = bifurcation(fails, {1.2, 1.4, 1.5, 1.6}, few(Continuation::forward));
+    REQUIRE(map.rows.size() == 4);
     CHECK(map.rows[0].reason.empty());
     CHECK(map.rows[1].points < 6);
     CHECK(contains(map.rows[1].reason, "event 'end'"));
-    CHECK(map.rows[2].points == 6);
+    CHECK(map.rows[2].points == 0);
+    CHECK(map.rows[2].reason == "no such mechanism");
+    CHECK(map.rows[3].points == 6);
     CHECK(contains(message_of([&] { bifurcation(hardening, {}, {}); }), "values"));
   }
 
