@@ -89,11 +89,19 @@ RunStatus run_bifurcation(const Case& c, const BifurcationRequest& request) {
   const ModelOfParameter model = [&](double value) {
     return sectioned_model(c, request.map, axis.settings_at(places.at(value)));
   };
-  for (const double value : axis.axis.values) model(value);  // says what is wrong before the first
+  double longest = 0.0;  // [s] run of the case at any of the values
+  for (std::size_t i = 0; i < axis.axis.values.size(); ++i) {
+    model(axis.axis.values[i]);  // says what is wrong before the first
+    std::vector<std::string> settings = request.map.settings;
+    settings.push_back(axis.settings[i]);
+    longest = std::max(longest, c.duration(Parameters(c.parameters, settings)));
+  }
   BifurcationOptions options{.map = map_options(c, request.map, model(axis.axis.values.front())),
                              .continuation = request.continuation,
                              .jobs = request.map.jobs,
                              .stop = [] { return interrupted(); }};
+  if (request.map.duration == 0.0 && options.map.duration > 0.0)
+    options.map.duration = static_cast<double>(request.map.discard + request.map.points) * longest;
   options.map.run.observer = [](const Progress&) { return !interrupted(); };
   MapProgress line(!request.map.quiet);
   options.observer = [&](std::size_t done, std::size_t total) { line.report(done, total); };
