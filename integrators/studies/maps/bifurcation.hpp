@@ -17,9 +17,9 @@ namespace yoke {
 
 /// What a map is made of at one value of its parameters.
 struct SectionedModel {
-  Model model;  // the section has been added
-  State start;  // where it starts if nothing is carried over
-  Section section;
+  Model model;      // the section has been added
+  State start;      // where it starts if nothing is carried over
+  Section section;  // when its points are taken
 };
 
 /// Where a value of the parameter begins.
@@ -32,8 +32,8 @@ enum class Continuation {
 
 /// How a diagram is made.
 struct BifurcationOptions {
-  PoincareOptions map{};  // of each value; its observer does not count
-  Continuation continuation = Continuation::forward;
+  PoincareOptions map{};                              // of each value; its observer does not count
+  Continuation continuation = Continuation::forward;  // where a value begins
   int jobs = 1;  // threads; a direction needs one, values afresh as many as there are
   std::function<void(std::size_t done, std::size_t total)> observer{};  // one call at a time
   std::function<bool()> stop{};  // true: no more points; what there is stays
@@ -58,8 +58,9 @@ struct Bifurcation {
 /// Makes the model at a value of the parameter. Called on several threads if there are several jobs.
 using ModelOfParameter = std::function<SectionedModel(double value)>;
 
-/// The points at each of `values`, in their order. A value whose run fails has the points until then, and
-/// the next begins at its own start. Throws ModelError for options and models that are wrong before a run.
+/// The points at each of `values`, in their order. A value whose run fails has the points until then, one whose
+/// model cannot be made has none; the next begins at its own start. Throws ModelError for no values, and
+/// what the first of all throws before its run.
 ///
 /// What is carried over: positions, velocities and states of elements (carried_over()), brought onto the
 /// constraints of the new model. The time is that of the same phase: with Section::every offset + k period

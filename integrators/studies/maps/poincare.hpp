@@ -24,7 +24,7 @@ struct PoincareOptions {
   /// as long as it takes.
   double duration = 0.0;
   /// Points are the same if no column differs by more than this part of its range over the run, the
-  /// transient included.
+  /// transient included, or a hundred times what the tolerance of the run allows.
   double period_tolerance = 1e-3;
   SimulationOptions run{.samples = 0};          // until, samples and contact_rows do not count
   std::function<bool(std::size_t)> observer{};  // how many points so far; false: no more

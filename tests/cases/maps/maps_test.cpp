@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <string>
 
+#include <yoke/cases/jobs/progress.hpp>
 #include <yoke/cases/maps/map_axis.hpp>
+#include <yoke/cases/maps/maps.hpp>
 #include <yoke/cases/maps/section_choice.hpp>
 #include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/cases/sweep/sweep_rows.hpp>
@@ -128,6 +130,26 @@ TEST_SUITE("maps") {
     CHECK(contains(run_yoke(scratch, command + "--discard 12").out, "6 done (6 from before)"));
     const auto other = run_yoke(scratch, command + "--discard 13");
     CHECK(other.code == 1);
+  }
+
+  TEST_CASE("interrupted, maps write what there is and say so") {
+    const TemporaryFolder scratch;
+    const MapRequest map{.at = "every:frequency",
+                         .relative_tolerance = 1e-6,
+                         .output = scratch.path(),
+                         .jobs = 1,
+                         .plots = false,
+                         .quiet = true};
+    const Case& c = find_case("impact_oscillator");
+    set_interrupted(true);
+    CHECK(run_poincare(c, map) == RunStatus::interrupted);
+    CHECK(run_bifurcation(c, {.map = map, .vary = "force=0.2:0.3:3"}) == RunStatus::interrupted);
+    CHECK(run_basins(c, {.map = map, .grid = {"start=-2mm:2mm:2", "mass.vx_m_per_s=0:1:2"}}) ==
+          RunStatus::interrupted);
+    set_interrupted(false);
+    CHECK(lines(scratch / "poincare.csv").size() <= 2);
+    CHECK(lines(scratch / "bifurcation.csv").front().starts_with("value,direction,point"));
+    CHECK(lines(scratch / "basins.csv").size() == 1);
   }
 
   TEST_CASE("maps name what is wrong before they begin") {
