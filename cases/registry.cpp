@@ -27,6 +27,8 @@ Case slider_crank_clearance_case();
 Case slider_guide_clearance_case();
 Case four_bar_clearance_case();
 Case ratchet_case();
+Case impact_oscillator_case();
+Case table_ball_case();
 Case cpva_case();
 Case geneva_case();
 Case gear_selector_case();
@@ -65,6 +67,8 @@ const std::vector<Case>& case_registry() {
       pendulum_stop_case(),
       slender_bar_case(),
       ratchet_case(),
+      impact_oscillator_case(),
+      table_ball_case(),
       // slots and cams
       cpva_case(),
       geneva_case(),

@@ -98,6 +98,7 @@ double Simulation::time() const { return engine_->run.time(); }
 double Simulation::end_time() const { return engine_->options.until; }
 bool Simulation::ended() const { return engine_->run.ended(); }
 const Summary& Simulation::summary() const { return engine_->run.summary(); }
+const std::vector<EventRecord>& Simulation::events() const { return engine_->run.events(); }
 
 bool Simulation::advance_to(double t) {
   require_range("advance_to", "t", t, time(), end_time(), "s");

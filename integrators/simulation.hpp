@@ -61,6 +61,8 @@ class Simulation {
   /// Stop and reason mean something once the run has ended; counters and figures are written by
   /// result().
   const Summary& summary() const;
+  /// Events up to time(), in their order. Valid until the simulation is changed or goes on.
+  const std::vector<EventRecord>& events() const;
 
   /// Goes to `t` [s]; false if the run has ended before. Throws ModelError if t is before time() or
   /// behind end_time().

@@ -19,6 +19,9 @@ using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
 void add_sweep_verb(CLI::App& app, Action& action);
+void add_poincare_verb(CLI::App& app, Action& action);
+void add_bifurcation_verb(CLI::App& app, Action& action);
+void add_basins_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
 void add_view_verb(CLI::App& app, Action& action);
 void add_report_verb(CLI::App& app, Action& action);

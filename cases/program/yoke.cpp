@@ -21,6 +21,9 @@ namespace {
 void add_verbs(CLI::App& app, Action& action) {
   add_run_verb(app, action);
   add_sweep_verb(app, action);
+  add_poincare_verb(app, action);
+  add_bifurcation_verb(app, action);
+  add_basins_verb(app, action);
   add_resume_verb(app, action);
   add_view_verb(app, action);
   add_report_verb(app, action);

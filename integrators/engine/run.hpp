@@ -44,6 +44,7 @@ class Run {
   double time() const { return t_shown_; }  // [s]
   bool ended() const { return ended_; }
   const Summary& summary() const { return result_.summary; }
+  const std::vector<EventRecord>& events() const { return result_.events; }
   /// To `t` [s], not before time(); false if the run has ended before.
   bool advance_to(double t);
   /// To the end of the step that time() is in, or of the next one; false if there is none.

@@ -44,7 +44,8 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/rows",
       "integrators/run/singular", "integrators/run/start", "integrators/analyses/reduction",
       "integrators/analyses/details", "integrators/engine", "integrators/analyses",
-      "integrators/studies/details", "integrators/studies"}},
+      "integrators/studies/details", "integrators/studies", "integrators/studies/maps/details",
+      "integrators/studies/maps"}},
     {"cases",
      {"cases/choices",
       "cases/checks",
@@ -58,6 +59,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "cases/report",
       "cases/jobs",
       "cases/sweep",
+      "cases/maps",
       "cases/fmu",
       "cases/validation",
       "cases/paper/figures",
@@ -66,6 +68,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "cases/program",
       "cases/program/reports",
       "cases/program/texts",
+      "cases/program/maps",
       "cases/program/studies"}},
 };
 constexpr std::size_t largest_room = 24;  // headers and sources: a list that is read at a glance
@@ -74,6 +77,7 @@ constexpr std::size_t largest_room = 24;  // headers and sources: a list that is
 const std::map<std::string, std::string> inner_rooms = {
     {"integrators/analyses/details", "integrators/analyses"},
     {"integrators/studies/details", "integrators/studies"},
+    {"integrators/studies/maps/details", "integrators/studies/maps"},
     {"contact/details", "contact"},
     {"core/curves/pieces", "core/curves"}};
 

@@ -25,6 +25,15 @@ constexpr Examples examples[] = {
      "  yoke sweep slider_crank_clearance --vary clearance=0.01mm:0.5mm:50:log --vary speed=1000:5000:5\n"
      "  yoke sweep scotch_yoke --vary law=johnson,hertz+flores:e=0.8 --measure slider_a_m_per_s2:rms\n"
      "  yoke sweep bouncing_ball --law 'hertz+flores:e={e}' --vary e=0.1:0.9 --sobol 64 -o results/e\n"},
+    {"poincare",
+     "  yoke poincare slider_crank_clearance --at phase:motor=0deg --x slider.x_m --y slider.vx_m_per_s\n"
+     "  yoke poincare impact_oscillator --at every:frequency --points 2000\n"
+     "  yoke poincare table_ball --at event:top.onset --y speed_m_per_s\n"},
+    {"bifurcation",
+     "  yoke bifurcation impact_oscillator --vary force=0.2:0.6:200 --both --at every:frequency --y mass.x_m\n"
+     "  yoke bifurcation table_ball --vary amplitude=1mm:4mm:300 --at event:top.release --y ball.vy_m_per_s\n"},
+    {"basins",
+     "  yoke basins impact_oscillator --grid start=-400mm:100mm:60 --grid start_speed=-1:1:60 --at every:frequency\n"},
     {"resume",
      "  yoke run scotch_yoke --checkpoint 0.01s -o results/long\n"
      "  yoke resume results/long\n"},

@@ -141,8 +141,8 @@ TEST_SUITE("registries") {
 
   TEST_CASE("every verb has a file, and yoke --help lists it") {
     const std::string text = printed("--help");
-    for (const char* folder :
-         {"cases/program", "cases/program/reports", "cases/program/texts", "cases/program/studies"})
+    for (const char* folder : {"cases/program", "cases/program/reports", "cases/program/texts",
+                               "cases/program/maps", "cases/program/studies"})
       for (const auto& entry : fs::directory_iterator(fs::path(YOKE_SOURCE_DIR) / folder)) {
         std::string name = entry.path().stem().string();
         if (!name.starts_with("verb_")) continue;
