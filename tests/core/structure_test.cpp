@@ -44,7 +44,7 @@ const std::map<std::string, std::vector<std::string>> room_order = {
       "integrators/formulations", "integrators/run", "integrators/run/singular",
       "integrators/run/start", "integrators/analyses/reduction", "integrators/analyses/details",
       "integrators/engine", "integrators/analyses", "integrators/studies/details",
-      "integrators/studies"}},
+      "integrators/studies", "integrators/studies/linearised", "integrators/studies/orbits"}},
     {"cases",
      {"cases/choices",
       "cases/checks",
