@@ -324,7 +324,7 @@ bool Run::complete_step() {
   record_samples_up_to(at_event || at_sample ? std::nextafter(t, t_start_) : t, true);
   ahead_ = false;
   result_.summary.t_end = t_shown_ = t;
-  if (watch_ != nullptr) watch_->step(*formulation_, state_, t);
+  if (watch_ != nullptr) watch_->step(*formulation_, state_, t, at_event);
   if (!stopped_ && !at_event && reaches_impasse(t)) return false;
   if (stopped_ || (at_event && !handle_events(t))) return false;
   if (at_sample && !reach_samples(t, at_event)) return false;

@@ -17,8 +17,8 @@ class RunWatch {
   /// Before the first step, and before controllers sample there: `state` is consistent.
   virtual void start(const State& state, const System& system) = 0;
   /// From where the last step ended up to `t` [s]: the formulation shows any time between them.
-  /// Contacts and parameters were those of `memory`.
-  virtual void step(Formulation& formulation, const State& memory, double t) = 0;
+  /// Contacts and parameters were those of `memory`. `at_event`: an event is there.
+  virtual void step(Formulation& formulation, const State& memory, double t, bool at_event) = 0;
   /// The slots `fired` have changed a contact's memory, a parameter or velocities. Both states are on
   /// the constraints; `before` has its accelerations, `after` not yet.
   virtual void jump(const State& before, const std::vector<int>& fired, const State& after) = 0;

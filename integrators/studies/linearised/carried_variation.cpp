@@ -37,15 +37,18 @@ const Collocation radau = {.c = {0.4 - r6 / 10.0, 0.4 + r6 / 10.0, 1.0},
 
 constexpr double error_constant = 1e5;   // of Gauss: (h w)^6 / 100800 of a phase
 constexpr int most_parts = 64;           // of a step
+constexpr double parts_at_events = 4.0;  // of a step that begins or ends there
 constexpr double stiff_from = 2.0;       // h times a rate of decay in such a part
 constexpr double small_alignment = 0.9;  // cosine at which the frame takes a new reference
 constexpr double memory_change = 6e-6;   // relative: cube root of rounding
 
 }  // namespace
 
-CarriedVariation::CarriedVariation(const Model& model, double relative_tolerance, int columns)
+CarriedVariation::CarriedVariation(const Model& model, double relative_tolerance, int columns,
+                                   bool with_memory)
     : tolerance_(relative_tolerance),
       columns_(columns),
+      with_memory_(with_memory),
       dynamics_(model),
       frame_(dynamics_.system()),
       numbers_(dynamics_.system()),
@@ -62,10 +65,9 @@ void CarriedVariation::start(const State& state, const System& system) {
   look_at(state);
   if (frame_.freedom() == 0)
     throw ModelError("variation: drivers and joints leave the mechanism no motion of its own");
-  if (at_start) at_start(state, frame_);
   const Eigen::Index s = size();
   varied_.clear();
-  if (columns_ == 0)
+  if (with_memory_)
     for (int i = 0; i < numbers_.contact_numbers(); ++i)
       if (numbers_.acts(state, i)) varied_.push_back(i);
   if (columns_ > s)
@@ -73,11 +75,12 @@ void CarriedVariation::start(const State& state, const System& system) {
         "variation: columns = {} must be at most {}, twice the degrees of freedom and the states of "
         "elements",
         columns_, s));
-  const Eigen::Index all = columns_ == 0 ? s + std::ssize(varied_) : columns_;
+  const Eigen::Index own = columns_ == 0 ? s : columns_, all = own + std::ssize(varied_);
   y.setIdentity(s, all);
   m.setZero(numbers_.size(), all);
   for (std::size_t i = 0; i < varied_.size(); ++i)
-    m(varied_[i], s + static_cast<Eigen::Index>(i)) = 1.0;
+    m(varied_[i], own + static_cast<Eigen::Index>(i)) = 1.0;
+  if (at_start) at_start(*this, state);
 }
 
 void CarriedVariation::sample(const State& state) {
@@ -169,40 +172,68 @@ CarriedVariation::Stage CarriedVariation::calc_stage(const State& state) {
   return stage;
 }
 
-void CarriedVariation::step(Formulation& formulation, const State& memory, double t) {
+void CarriedVariation::step(Formulation& formulation, const State& memory, double t,
+                            bool at_event) {
   if (!(t > t_)) return;
   refuse_grips(memory);
-  while (t_ < t) t_ = advance(formulation, memory, t_, t);
-  if (frame_.alignment() < small_alignment) frame_.refer();
+  advance(formulation, memory, {.from = t_, .to = t, .begins = jumped_, .ends = at_event});
+  t_ = t;
+  jumped_ = false;
+  if (frame_.alignment() < small_alignment) look_at(shown(formulation, memory, t));
   if (at_step) at_step(*this);
 }
 
-/// A step of the run. In parts so short that the collocation is more accurate than the run.
-double CarriedVariation::advance(Formulation& formulation, const State& memory, double from,
-                                 double to) {
-  const double h = to - from;
-  const Stage middle = calc_stage(shown(formulation, memory, from + 0.5 * h));
-  const double accurate = std::pow(error_constant * tolerance_, 1.0 / 6.0);
-  const double wanted = std::ceil(h * middle.rate / accurate);
-  const int parts = static_cast<int>(std::clamp(wanted, 1.0, double{most_parts}));
-  const double part = h / parts;
-  const bool stiff = part * middle.decay > stiff_from;
-  for (int i = 0; i < parts; ++i)
-    collocate(formulation, memory, from + i * part, part, stiff,
-              parts == 1 && !stiff ? &middle : nullptr);
-  return to;
+// With x = 1 - s where it ends at an event, t goes like x^4 there; between two events like both.
+double CarriedVariation::Pace::time(double s) const {
+  const auto fourth = [](double x) { return x * x * x * x; };
+  double share = s;
+  if (begins && ends)
+    share = s < 0.5 ? 8.0 * fourth(s) : 1.0 - 8.0 * fourth(1.0 - s);
+  else if (begins)
+    share = fourth(s);
+  else if (ends)
+    share = 1.0 - fourth(1.0 - s);
+  return from + share * (to - from);
 }
 
-void CarriedVariation::collocate(Formulation& formulation, const State& memory, double from,
-                                 double h, bool stiff, const Stage* middle) {
+double CarriedVariation::Pace::rate(double s) const {
+  const auto cube = [](double x) { return x * x * x; };
+  double share = 1.0;
+  if (begins && ends)
+    share = 32.0 * cube(std::min(s, 1.0 - s));
+  else if (begins)
+    share = 4.0 * cube(s);
+  else if (ends)
+    share = 4.0 * cube(1.0 - s);
+  return share * (to - from);
+}
+
+/// A step of the run, in parts so short that the collocation is more accurate than the run.
+void CarriedVariation::advance(Formulation& formulation, const State& memory, const Pace& pace) {
+  const double h = pace.to - pace.from;
+  const Stage middle = calc_stage(shown(formulation, memory, pace.from + 0.5 * h));
+  const double accurate = std::pow(error_constant * tolerance_, 1.0 / 6.0);
+  const double least = pace.begins || pace.ends ? parts_at_events : 1.0;
+  const double wanted = std::ceil(least * h * middle.rate / accurate);
+  const int parts = static_cast<int>(std::clamp(wanted, least, double{most_parts}));
+  const bool stiff = h / parts * middle.decay > stiff_from;
+  for (int i = 0; i < parts; ++i)
+    collocate(formulation, memory, pace, double(i) / parts, 1.0 / parts, stiff,
+              least == 1.0 && parts == 1 && !stiff ? &middle : nullptr);
+}
+
+/// By s of the pace: dy/ds = t'(s) (A y + B m).
+void CarriedVariation::collocate(Formulation& formulation, const State& memory, const Pace& pace,
+                                 double from, double h, bool stiff, const Stage* middle) {
   const Collocation& method = stiff ? radau : gauss;
   const Eigen::Index s = size(), columns = y.cols();
   std::array<Stage, stages> at;
-  for (int i = 0; i < stages; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    at[k] = i == 1 && middle != nullptr
-                ? *middle
-                : calc_stage(shown(formulation, memory, from + method.c[k] * h));
+  for (std::size_t i = 0; i < stages; ++i) {
+    const double place = from + method.c[i] * h, rate = pace.rate(place);
+    at[i] = i == 1 && middle != nullptr ? *middle
+                                        : calc_stage(shown(formulation, memory, pace.time(place)));
+    at[i].A *= rate;
+    at[i].Bm *= rate;
   }
   // k_i - h A_i sum_j a_ij k_j = A_i y + B_i m
   Matrix system = Matrix::Identity(stages * s, stages * s), rates(stages * s, columns);

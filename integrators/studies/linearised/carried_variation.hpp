@@ -7,14 +7,15 @@
 // exact; the columns of B are central differences of the forces by one number each. The steps are those
 // of the run, parted where something is fast beside them; each is a step of Gauss' collocation of order 6
 // (Radau IIA of order 5 where something stiff decays), linear and so solved at once. The states within
-// are those of the run's own dense output, on the constraints.
+// are those of the run's own dense output, on the constraints. Beside an event, where a law's stiffness may
+// start like the square root of time, or be infinite at first, time goes like the fourth power.
 //
 // At an event h(x, m, t) = 0 a motion beside meets it later by
 //   dt = -(h_x dx + h_m dm) / h'      h' along the motion
-// With R what the event does to the state, f the rates before (-) and after (+) it:
-//   dx+ = R_x (dx + f- dt) - f+ dt    dm+ likewise, without the last term
-// R is what the elements do, so R_x is a central difference of them along each column; h_x and h' are such
-// differences of the event's function.
+// With x + R(x, m) the state behind the event, f the rates before (-) and after (+) it:
+//   dx+ = (1 + R_x) (dx + f- dt) + R_m dm - f+ dt    dm+ likewise, without the last term
+// R is what the elements do, so its derivative is a central difference of that along each column; h_x and h'
+// are such differences of the event's function.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,20 +34,20 @@ class CarriedVariation final : public RunWatch {
  public:
   using Matrix = Eigen::MatrixXd;
 
-  /// Of a run with this tolerance. At its start `columns` variations begin, the first unit vectors of y;
-  /// 0: all of them and, behind them, those of the memory numbers that act there.
-  CarriedVariation(const Model& model, double relative_tolerance, int columns);
+  /// Of a run with this tolerance. At its start `columns` variations begin, the first unit vectors of y, 0:
+  /// all; behind them, if `with_memory`, those of the memory numbers that act there.
+  CarriedVariation(const Model& model, double relative_tolerance, int columns, bool with_memory);
   CarriedVariation(const CarriedVariation&) = delete;
   CarriedVariation& operator=(const CarriedVariation&) = delete;
 
   // Of RunWatch; they throw ModelError for what has no linear equations here.
   void start(const State& state, const System& system) override;
-  void step(Formulation& formulation, const State& memory, double t) override;
+  void step(Formulation& formulation, const State& memory, double t, bool at_event) override;
   void jump(const State& before, const std::vector<int>& fired, const State& after) override;
   void sample(const State& state) override;
 
-  /// Called once at the start, which is on the constraints with its accelerations.
-  std::function<void(const State&, const TurningFrame&)> at_start{};
+  /// Called once at the start, on the constraints with its accelerations, where y and m may be changed.
+  std::function<void(CarriedVariation&, const State&)> at_start{};
   /// Called at the end of each step, where y and m may be changed.
   std::function<void(CarriedVariation&)> at_step{};
 
@@ -56,6 +57,7 @@ class CarriedVariation final : public RunWatch {
   const std::vector<int>& varied_numbers() const { return varied_; }
   const MemoryNumbers& numbers() const { return numbers_; }
   int freedom() const { return frame_.freedom(); }
+  const TurningFrame& frame() const { return frame_; }
   /// Sum of the rates of growth of all y, integrated over time: the logarithm of how a volume grows
   /// between events.
   double growth_of_volume() const { return trace_; }
@@ -76,8 +78,8 @@ class CarriedVariation final : public RunWatch {
  private:
   using Vector = Eigen::VectorXd;
   struct Stage {
-    Matrix A, Bm;  // Bm = B m
-    double rate = 0.0, decay = 0.0;
+    Matrix A, Bm;                    // Bm = B m
+    double rate = 0.0, decay = 0.0;  // [1/s] of what is fast, and of what is damped
   };
   /// A direction of the extended state, and what a jump makes of it.
   struct Direction {
@@ -89,9 +91,16 @@ class CarriedVariation final : public RunWatch {
   Stage calc_stage(const State& state);
   void calc_memory_forces(const State& state, int number, Vector& rates);
   void calc_forces(const State& state, Vector& rates);
-  double advance(Formulation& formulation, const State& memory, double from, double to);
-  void collocate(Formulation& formulation, const State& memory, double from, double h, bool stiff,
-                 const Stage* middle);
+  /// What a step is made of, with s from 0 to 1 in it: the time, and dt/ds.
+  struct Pace {
+    double from, to;
+    bool begins = false, ends = false;  // at an event
+    double time(double s) const;
+    double rate(double s) const;
+  };
+  void advance(Formulation& formulation, const State& memory, const Pace& pace);
+  void collocate(Formulation& formulation, const State& memory, const Pace& pace, double from,
+                 double h, bool stiff, const Stage* middle);
   void refuse_varied_drivers(const State& state) const;
   void refuse_grips(const State& state) const;
   Direction rates_of(const State& state);
@@ -109,6 +118,7 @@ class CarriedVariation final : public RunWatch {
 
   double tolerance_;
   int columns_;
+  bool with_memory_;
   Dynamics dynamics_;
   TurningFrame frame_;
   MemoryNumbers numbers_;
@@ -119,6 +129,7 @@ class CarriedVariation final : public RunWatch {
   std::vector<int> varied_;
   std::vector<double> g_;
   double t_ = 0.0, trace_ = 0.0;
+  bool jumped_ = false;  // at t_
   long jumps_ = 0, evaluations_ = 0;
   std::vector<std::string> notes_;
 };

@@ -144,7 +144,7 @@ int CarriedVariation::slot_of(const State& before, const std::vector<int>& fired
   return found >= 0 ? found : fired.front();
 }
 
-/// What the event makes of a state beside `before`, less `after`; false if it takes another course.
+/// What the event adds to a state beside `before`; false if it takes another course.
 bool CarriedVariation::pass_event(const State& before, const std::vector<int>& fired,
                                   const State& after, const Direction& along, double by,
                                   Direction& change) {
@@ -153,14 +153,15 @@ bool CarriedVariation::pass_event(const State& before, const std::vector<int>& f
   if (!dynamics_.project(beside_)) return false;
   scratch_.events.clear();
   scratch_.summary.notes.clear();
+  const State arrived = beside_;
   events_.handle(fired);
   if (stopped_ || !same_phase(beside_.contacts, after.contacts)) return false;
-  change.q = beside_.q - after.q;
-  change.v = beside_.v - after.v;
-  change.z = beside_.z - after.z;
+  change.q = beside_.q - arrived.q;
+  change.v = beside_.v - arrived.v;
+  change.z = beside_.z - arrived.z;
   change.m.resize(numbers_.size());
   for (int i = 0; i < numbers_.size(); ++i)
-    change.m[i] = numbers_.get(beside_, i) - numbers_.get(after, i);
+    change.m[i] = numbers_.get(beside_, i) - numbers_.get(arrived, i);
   return true;
 }
 
@@ -177,7 +178,7 @@ CarriedVariation::Direction CarriedVariation::derivative_of_event(const State& b
         !pass_event(before, fired, after, along, -by, behind))
       continue;
     for (auto member : {&Direction::q, &Direction::v, &Direction::z, &Direction::m})
-      ahead.*member = (ahead.*member - behind.*member) / (2.0 * by);
+      ahead.*member = along.*member + (ahead.*member - behind.*member) / (2.0 * by);
     return ahead;
   }
   throw ModelError(fmt::format(
@@ -189,6 +190,7 @@ void CarriedVariation::jump(const State& before, const std::vector<int>& fired,
                             const State& after) {
   refuse_grips(after);
   ++jumps_;
+  jumped_ = true;
   const Eigen::Index columns = y.cols();
   const Direction f_before = rates_of(before), f_after = rates_of(after);
   // y is in the frame that has turned along up to here.

@@ -31,7 +31,8 @@ struct FlowDerivative {
   /// What contacts that touch at the start remember there, on which they depend since then:
   /// "slot.approach_velocity"; in SI units.
   std::vector<std::string> memory;
-  int degrees_of_freedom = 0;  // f
+  Eigen::VectorXd memory_at_start, memory_at_end;  // their values
+  int degrees_of_freedom = 0;                      // f
   double growth_of_volume =
       0.0;               // integral of the trace of y' by y, between events: ln det if none
   long jumps = 0;        // events at which memories, parameters or velocities changed
