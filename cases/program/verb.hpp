@@ -19,6 +19,8 @@ using Action = std::function<int()>;
 
 void add_run_verb(CLI::App& app, Action& action);
 void add_sweep_verb(CLI::App& app, Action& action);
+void add_orbit_verb(CLI::App& app, Action& action);
+void add_lyapunov_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
 void add_view_verb(CLI::App& app, Action& action);
 void add_report_verb(CLI::App& app, Action& action);

@@ -21,6 +21,8 @@ namespace {
 void add_verbs(CLI::App& app, Action& action) {
   add_run_verb(app, action);
   add_sweep_verb(app, action);
+  add_orbit_verb(app, action);
+  add_lyapunov_verb(app, action);
   add_resume_verb(app, action);
   add_view_verb(app, action);
   add_report_verb(app, action);

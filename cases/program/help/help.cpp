@@ -25,6 +25,12 @@ constexpr Examples examples[] = {
      "  yoke sweep slider_crank_clearance --vary clearance=0.01mm:0.5mm:50:log --vary speed=1000:5000:5\n"
      "  yoke sweep scotch_yoke --vary law=johnson,hertz+flores:e=0.8 --measure slider_a_m_per_s2:rms\n"
      "  yoke sweep bouncing_ball --law 'hertz+flores:e={e}' --vary e=0.1:0.9 --sobol 64 -o results/e\n"},
+    {"orbit",
+     "  yoke orbit slider_crank_clearance --law hertz+hunt-crossley:alpha=1 --turns 1 --settle 0.1s\n"
+     "  yoke orbit double_pendulum --autonomous --period 2s -o results/swing\n"},
+    {"lyapunov",
+     "  yoke lyapunov double_pendulum --until 60s --exponents 4\n"
+     "  yoke lyapunov slider_crank_clearance --until 1s --transient 0.1s\n"},
     {"resume",
      "  yoke run scotch_yoke --checkpoint 0.01s -o results/long\n"
      "  yoke resume results/long\n"},
