@@ -113,6 +113,31 @@ TEST_CASE("a ball on a vibrating table: the multipliers tend to those of rigid b
   }
 }
 
+TEST_CASE(
+    "a forced oscillator that strikes a stop: orbit and multipliers tend to those of rigid bodies") {
+  double last_speed = 0.0, last_trace = 0.0;
+  for (const double stiffness : {1e5, 1e7}) {
+    const ImpactOscillator o{.stiffness = stiffness};
+    const ImpactOscillator::Rigid rigid = o.rigid();
+    const PeriodicOrbit orbit = periodic_orbit(o.model(), {.period = o.period()});
+    REQUIRE(orbit.found);
+    CHECK(orbit.stability == OrbitStability::stable);
+    const auto onset = std::ranges::find(orbit.run.events, "onset", &EventRecord::kind);
+    REQUIRE(onset != orbit.run.events.end());
+    const double speed = std::abs(onset->speed / rigid.speed - 1.0);
+    const double trace = std::abs(orbit.monodromy.trace() - rigid.trace);
+    CHECK(speed < 5e-3);
+    CHECK(trace < 5e-2);
+    CHECK(orbit.determinant == doctest::Approx(rigid.determinant).epsilon(3e-3));
+    if (last_speed > 0.0) {  // like the root of the compliance: a tenth
+      CHECK(speed < 0.13 * last_speed);
+      CHECK(trace < 0.13 * last_trace);
+    }
+    last_speed = speed;
+    last_trace = trace;
+  }
+}
+
 TEST_CASE("a search that finds nothing says how far it came") {
   SUBCASE("no orbit at all: a mass that falls") {
     Model m;
