@@ -69,14 +69,23 @@ Figure phase_figure(const std::string& title, const Table& samples, const Coordi
                                "lc rgb '" + line_colour(1) + "'")}))};
 }
 
-Figure multiplier_figure(const std::string& title, double largest) {
-  const double range = 1.15 * std::max(1.0, largest);
+Figure multiplier_figure(const std::string& title, const PeriodicOrbit& orbit) {
+  double range = 1.15;
+  bool any = false, any_trivial = false;
+  for (const FloquetMultiplier& m : orbit.multipliers) {
+    range = std::max(range, 1.15 * std::abs(m.value));
+    (m.trivial ? any_trivial : any) = true;
+  }
   const auto points = [](const char* kind, std::size_t colour, const char* name) {
     return fmt::format(
         "'multipliers.csv' every ::1 using (strcol(4) eq '{}' ? $1 : NaN):2 with points pt 7 ps 1.3 lc rgb "
         "'{}' title '{}'",
         kind, line_colour(colour), name);
   };
+  std::vector<std::string> parts = {
+      "cos(t),sin(t) with lines lc rgb '#808080' lw 1 title 'unit circle'"};
+  if (any) parts.push_back(points("no", 0, "multipliers"));
+  if (any_trivial) parts.push_back(points("yes", 4, "trivial ones"));
   return {.name = "multipliers",
           .title = title + ": Floquet multipliers",
           .width = 800,
@@ -86,8 +95,7 @@ Figure multiplier_figure(const std::string& title, double largest) {
               "set size ratio -1\nset parametric\nset trange [0:2*pi]\nset samples 400\n"
               "set xrange [{}:{}]\nset yrange [{}:{}]\n{}",
               gnuplot_text(title + ": Floquet multipliers"), -range, range, -range, range,
-              plot_of({"cos(t),sin(t) with lines lc rgb '#808080' lw 1 title 'unit circle'",
-                       points("no", 0, "multipliers"), points("yes", 4, "trivial ones")}))};
+              plot_of(parts))};
 }
 
 void write_multipliers(const PeriodicOrbit& orbit, const std::filesystem::path& path) {
@@ -131,7 +139,7 @@ nlohmann::ordered_json to_json(const PeriodicOrbit& o) {
 
 void print(const PeriodicOrbit& o) {
   fmt::print("{}\n", o.reason);
-  if (o.multipliers.empty()) return;
+  if (!o.found) return;
   fmt::print("period {:.12g} s, {}{}\n", o.period, name_of(o.stability),
              o.bifurcation == Bifurcation::none
                  ? ""
@@ -204,12 +212,7 @@ RunStatus run_orbit(const std::string& title, const Model& model, const RunReque
     std::vector<Figure> figures;
     const Coordinate c = portrait_of(model, samples, coordinate);
     if (!c.position.empty()) figures.push_back(phase_figure(title, samples, c));
-    if (!orbit.multipliers.empty()) {
-      double largest = 0.0;
-      for (const FloquetMultiplier& m : orbit.multipliers)
-        largest = std::max(largest, std::abs(m.value));
-      figures.push_back(multiplier_figure(title, largest));
-    }
+    if (!orbit.multipliers.empty()) figures.push_back(multiplier_figure(title, orbit));
     if (request.plots) pictures = draw_figures(figures, folder, request.jobs);
   }
   if (!request.quiet) {

@@ -26,7 +26,8 @@ constexpr Examples examples[] = {
      "  yoke sweep scotch_yoke --vary law=johnson,hertz+flores:e=0.8 --measure slider_a_m_per_s2:rms\n"
      "  yoke sweep bouncing_ball --law 'hertz+flores:e={e}' --vary e=0.1:0.9 --sobol 64 -o results/e\n"},
     {"orbit",
-     "  yoke orbit slider_crank_clearance --law hertz+hunt-crossley:alpha=1 --turns 1 --settle 0.1s\n"
+     "  yoke orbit impact_pair --set start=centre --settle 1s --period 50ms\n"
+     "  yoke orbit slider_crank_clearance --set clearance=0.5mm --turns 1 --settle 0.12s\n"
      "  yoke orbit double_pendulum --autonomous --period 2s -o results/swing\n"},
     {"lyapunov",
      "  yoke lyapunov double_pendulum --until 60s --exponents 4\n"

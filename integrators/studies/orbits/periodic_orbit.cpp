@@ -26,7 +26,7 @@ constexpr double free_direction = 1e-7;  // of the largest singular value: equat
 constexpr double near_circle = 1e-2;     // distance at which a bifurcation is named
 constexpr double on_circle = 1e-5;       // to which a multiplier is known, at least
 constexpr double same_volume = 1e-6;     // of a determinant
-constexpr double family = 1e-3;   // two multipliers at 1 are known to the root of their error
+constexpr double family = 1e-2;   // two multipliers at 1 are known to the root of their error
 constexpr double readily = 30.0;  // of a family the member near by is taken: rather another period
 constexpr double earliest = 0.6, latest = 1.6;  // of a guessed period
 constexpr int looks = 500;                      // at it
@@ -128,14 +128,15 @@ bool Shooting::look(const State& start, double period) {
   SimulationOptions run = options_.run;
   run.until = start.t + period;
   run.checkpoints = {};
+  const bool first = flow_.start_basis.size() == 0;
   FlowDerivative next;
   try {
     next = flow_derivative(model_, start, run);
   } catch (const ModelError& error) {
+    if (first) throw;  // the model has no orbits, whatever the start
     failure_ = error.what();
     return false;
   }
-  const bool first = flow_.start_basis.size() == 0;
   if (next.run.summary.stop != Stop::completed) {
     failure_ = next.run.summary.reason;
     if (first) flow_ = std::move(next);

@@ -7,6 +7,28 @@
 
 namespace yoke {
 
+namespace {
+
+/// Of the memory numbers with a column, those on which anything has depended; columns of others are taken
+/// away.
+std::vector<int> drop_idle_numbers(CarriedVariation& variation, Eigen::Index own) {
+  std::vector<int> kept;
+  Eigen::Index columns = own;
+  for (std::size_t i = 0; i < variation.varied_numbers().size(); ++i) {
+    const Eigen::Index from = own + static_cast<Eigen::Index>(i);
+    if (variation.y.col(from).isZero(0.0)) continue;
+    variation.y.col(columns) = variation.y.col(from).eval();
+    variation.m.col(columns) = variation.m.col(from).eval();
+    ++columns;
+    kept.push_back(variation.varied_numbers()[i]);
+  }
+  variation.y.conservativeResize(Eigen::NoChange, columns);
+  variation.m.conservativeResize(Eigen::NoChange, columns);
+  return kept;
+}
+
+}  // namespace
+
 FlowDerivative flow_derivative(const Model& model, const State& start,
                                const SimulationOptions& options) {
   FlowDerivative d;
@@ -25,11 +47,11 @@ FlowDerivative flow_derivative(const Model& model, const State& start,
   const TurningFrame& frame = ended ? variation.frame() : variation.look_at(end);
   d.end_basis = frame.basis();
   d.end_basis_rate = frame.basis_rate();
+  const Eigen::Index s = variation.size();
+  const std::vector<int> numbers = drop_idle_numbers(variation, s);
   d.dq = variation.positions();
   d.dv = variation.velocities();
   d.dz = variation.y.bottomRows(end.z.size());
-  const auto& numbers = variation.varied_numbers();
-  const Eigen::Index s = variation.size();
   d.matrix.resize(variation.y.cols(), variation.y.cols());
   d.matrix.topRows(s) = variation.y;
   d.memory_at_start.resize(std::ssize(numbers));

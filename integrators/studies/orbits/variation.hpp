@@ -28,7 +28,7 @@ struct FlowDerivative {
   Eigen::MatrixXd end_basis, end_basis_rate;      // and at the end
   /// The same in full at the end: dq, dv [n x columns], dz [nz x columns].
   Eigen::MatrixXd dq, dv, dz;
-  /// What contacts that touch at the start remember there, on which they depend since then:
+  /// What contacts that touch at the start remember there, if the run depends on it:
   /// "slot.approach_velocity"; in SI units.
   std::vector<std::string> memory;
   Eigen::VectorXd memory_at_start, memory_at_end;  // their values
