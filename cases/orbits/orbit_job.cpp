@@ -103,6 +103,7 @@ void write_multipliers(const PeriodicOrbit& orbit, const std::filesystem::path& 
   for (const FloquetMultiplier& m : orbit.multipliers)
     text += fmt::format("{},{},{},{}\n", m.value.real(), m.value.imag(), std::abs(m.value),
                         m.trivial ? "yes" : "no");
+  text.pop_back();  // write_text ends the last line
   write_text(path, text);
 }
 
@@ -203,7 +204,7 @@ RunStatus run_orbit(const std::string& title, const Model& model, const RunReque
   const std::filesystem::path& folder = request.output;
   make_output_folder(folder);
   std::string pictures;
-  write_text(folder / "summary.json", to_json(orbit).dump(2) + "\n");
+  write_text(folder / "summary.json", to_json(orbit).dump(2));
   write_multipliers(orbit, folder / "multipliers.csv");
   const Table& samples = orbit.run.samples;
   if (samples.rows() > 1) {
@@ -246,15 +247,17 @@ RunStatus run_lyapunov(const std::string& title, const Model& model, const RunRe
                                        {"jumps", found.jumps},
                                        {"degrees_of_freedom", found.degrees_of_freedom},
                                        {"notes", found.notes}};
-  write_text(folder / "summary.json", json.dump(2) + "\n");
+  write_text(folder / "summary.json", json.dump(2));
   found.history.write_csv(folder / "exponents.csv");
   if (request.plots && found.history.rows() > 1)
     pictures = draw_figures({exponent_figure(title, found.history)}, folder, 1);
   if (!request.quiet) {
     fmt::print("{}\n", found.reason);
     for (Eigen::Index i = 0; i < found.exponents.size(); ++i)
-      fmt::print("exponent {}: {:.6g} +- {:.2g} 1/s\n", i + 1, found.exponents[i],
-                 found.uncertainty[i]);
+      fmt::print("exponent {}: {:.6g}{} 1/s\n", i + 1, found.exponents[i],
+                 std::isfinite(found.uncertainty[i])
+                     ? fmt::format(" +- {:.2g}", found.uncertainty[i])
+                     : "");
     fmt::print("mean trace {:.6g} 1/s\n", found.mean_trace);
     for (const std::string& note : found.notes) fmt::print("note: {}\n", note);
     fmt::print("results in {}\n{}{}", folder.string(), pictures, pictures.empty() ? "" : "\n");

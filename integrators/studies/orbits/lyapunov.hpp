@@ -38,10 +38,10 @@ struct Lyapunov {
   /// [1/s] Mean trace of the linear equations: what all exponents add up to, where events change neither
   /// velocities nor states, and no force depends on what contacts remember.
   double mean_trace = 0.0;
-  int degrees_of_freedom = 0;
-  long jumps = 0;  // events that variations passed
-  Result run;
-  std::vector<std::string> notes;
+  int degrees_of_freedom = 0;      // f
+  long jumps = 0;                  // events that variations passed
+  Result run;                      // along which they were measured
+  std::vector<std::string> notes;  // what was assumed, a sentence each
 };
 
 /// Along the run from `start`. Throws ModelError for options out of range and as flow_derivative().

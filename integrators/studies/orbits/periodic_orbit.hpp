@@ -48,12 +48,13 @@ enum class Bifurcation {
   flip,            ///< -1: the period doubles
   neimark_sacker,  ///< a conjugate pair: a second frequency appears
 };
+/// As summaries write it.
 std::string_view name_of(OrbitStability stability);
 std::string_view name_of(Bifurcation bifurcation);
 
 /// One of Floquet's multipliers.
 struct FloquetMultiplier {
-  std::complex<double> value;
+  std::complex<double> value;  // by which a motion beside the orbit grows in a period
   /// 1 for a reason: along the orbit of an autonomous model, along a family of orbits of a conservative
   /// one, a coordinate that nothing depends on. Says nothing about stability.
   bool trivial = false;
@@ -61,7 +62,7 @@ struct FloquetMultiplier {
 
 /// An orbit, or how far the search for it got.
 struct PeriodicOrbit {
-  bool found = false;
+  bool found = false;                 // it returns within the tolerance
   std::string reason;                 // a sentence
   double period = 0.0;                // [s]
   State start;                        // on the orbit, consistent; simulate() continues from it
@@ -71,15 +72,15 @@ struct PeriodicOrbit {
   double residual = 0.0;              // the last of them
   Eigen::MatrixXd monodromy;          // [s x s] of y = (a, b, dz) and memories, see variation.hpp
   Eigen::MatrixXd basis, basis_rate;  // N, N' [n x f] at the start
-  std::vector<FloquetMultiplier> multipliers;  // by falling size
-  OrbitStability stability = OrbitStability::neutral;
-  Bifurcation bifurcation = Bifurcation::none;
+  std::vector<FloquetMultiplier> multipliers;          // by falling size
+  OrbitStability stability = OrbitStability::neutral;  // by the multipliers
+  Bifurcation bifurcation = Bifurcation::none;         // that is near
   /// Largest modulus of those that are not trivial; 0 if there are none.
   double largest_multiplier = 0.0;
-  double determinant = 0.0;  // of the monodromy matrix: how volumes change in a period
-  int degrees_of_freedom = 0;
+  double determinant = 0.0;         // of the monodromy matrix: how volumes change in a period
+  int degrees_of_freedom = 0;       // f
   std::vector<std::string> memory;  // what contacts remember at the start, see variation.hpp
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;   // what was assumed, a sentence each
 };
 
 /// Searches from `start`, after PeriodicOrbitOptions::settle. Where the equations leave orbits free (a

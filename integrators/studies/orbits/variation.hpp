@@ -37,7 +37,7 @@ struct FlowDerivative {
       0.0;               // integral of the trace of y' by y, between events: ln det if none
   long jumps = 0;        // events at which memories, parameters or velocities changed
   long evaluations = 0;  // of the linear equations
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;  // what was assumed, a sentence each
 };
 
 /// Runs `model` from `start` and carries the derivative along; the error is below that of the run, but

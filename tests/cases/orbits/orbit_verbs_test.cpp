@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include <yoke/cases/jobs/progress.hpp>
+#include <yoke/cases/orbits/orbit_job.hpp>
+#include <yoke/cases/program/request.hpp>
 #include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/messages.hpp>
 
@@ -79,4 +82,26 @@ TEST_CASE("what cannot be sought is refused in words of the command line, and no
                  "columns = 5 must be at most 4"));
   CHECK(contains(refusal("lyapunov double_pendulum --until 1s --transient 2s"),
                  "transient = 2 s is outside"));
+}
+
+TEST_CASE("interrupted, both verbs write what there is and say so") {
+  using namespace yoke::cases;
+  const TemporaryFolder scratch;
+  const Case& c = find_case("double_pendulum");
+  RequestOptions options;
+  options.case_name = c.name;
+  RunRequest request = make_request(c, options);
+  request.plots = false;
+  request.quiet = true;
+  const yoke::Model model = make_model(c, request.parameters);
+  set_interrupted(true);
+  request.output = scratch / "orbit";
+  const RunStatus orbit = run_orbit(c.name, model, request, {.period = 1.0}, "");
+  request.output = scratch / "exponents";
+  const RunStatus exponents = run_lyapunov(c.name, model, request, {.until = 1.0});
+  set_interrupted(false);
+  CHECK(orbit == RunStatus::interrupted);
+  CHECK(exponents == RunStatus::interrupted);
+  CHECK(contains(std::string(json_of(scratch / "orbit/summary.json").at("reason")), "interrupted"));
+  CHECK(json_of(scratch / "exponents/summary.json").at("complete") == false);
 }
