@@ -22,6 +22,8 @@ void add_sweep_verb(CLI::App& app, Action& action);
 void add_poincare_verb(CLI::App& app, Action& action);
 void add_bifurcation_verb(CLI::App& app, Action& action);
 void add_basins_verb(CLI::App& app, Action& action);
+void add_orbit_verb(CLI::App& app, Action& action);
+void add_lyapunov_verb(CLI::App& app, Action& action);
 void add_resume_verb(CLI::App& app, Action& action);
 void add_view_verb(CLI::App& app, Action& action);
 void add_report_verb(CLI::App& app, Action& action);

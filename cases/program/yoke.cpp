@@ -24,6 +24,8 @@ void add_verbs(CLI::App& app, Action& action) {
   add_poincare_verb(app, action);
   add_bifurcation_verb(app, action);
   add_basins_verb(app, action);
+  add_orbit_verb(app, action);
+  add_lyapunov_verb(app, action);
   add_resume_verb(app, action);
   add_view_verb(app, action);
   add_report_verb(app, action);

@@ -138,6 +138,7 @@ bool Run::initialise() {
     return fail("accelerations at the start are not finite" + blame_element(dynamics_.system()));
   sample_ = state_;
   samples_->start(state_);
+  if (watch_ != nullptr) watch_->start(state_, dynamics_.system());
   if (!take_samples_due()) return false;
   settle();
   if (stopped_) return false;
@@ -175,6 +176,7 @@ bool Run::take_samples_due() {
   dynamics_.system().bind(state_);
   const double until = state_.t + shortest_rest * std::abs(options_.until);
   if (elements_.next_sample() > until) return true;
+  if (watch_ != nullptr) watch_->sample(state_);
   elements_.take_samples(until);
   stale_ = true;
   if (result_.summary.stop == Stop::by_event) {
@@ -258,7 +260,9 @@ bool Run::handle_events(double t) {
   if (const Outcome outcome = samples_->measure_drift(state_); !outcome) return fail(outcome.why);
   if (!dynamics_.project(state_)) return fail(not_projected("at the event ", state_.t));
   stale_ = false;
+  const std::optional<State> before = watch_ != nullptr ? std::optional(state_) : std::nullopt;
   elements_.handle(locator_.fired());
+  if (before && !stopped_ && elements_.changed()) watch_->jump(*before, locator_.fired(), state_);
   if (result_.summary.stop == Stop::by_event) {  // ends with a row of its own
     dynamics_.calc_accelerations(state_);
     samples_->record_end(state_);
@@ -330,6 +334,7 @@ bool Run::complete_step() {
   record_in_contact({.from = t_behind_, .to = t, .end = end, .at_event = at_event});
   ahead_ = false;
   result_.summary.t_end = t_shown_ = t;
+  if (watch_ != nullptr) watch_->step(*formulation_, state_, t, at_event);
   if (!stopped_ && !at_event && reaches_impasse(t)) return false;
   if (stopped_ || (at_event && !handle_events(t))) return false;
   if (at_sample && !reach_samples(t, at_event)) return false;

@@ -16,6 +16,7 @@
 #include <string>
 
 #include <yoke/core/equations/dynamics.hpp>
+#include <yoke/integrators/engine/run_watch.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/cost.hpp>
@@ -39,6 +40,8 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
+  /// Who sees each step from now on; must outlive the run. Before begin().
+  void watch(RunWatch& watch) { watch_ = &watch; }
   /// Once, before all that follows. What a user's function throws from here on ends the run.
   void begin();
   double time() const { return t_shown_; }  // [s]
@@ -156,6 +159,7 @@ class Run {
   bool stale_ = false;      // state_ has not the accelerations of its parameters
   bool stiffness_changed_ = false;
   std::unique_ptr<Look> look_;
+  RunWatch* watch_ = nullptr;
 };
 
 }  // namespace yoke

@@ -34,6 +34,13 @@ constexpr Examples examples[] = {
      "  yoke bifurcation table_ball --vary amplitude=1mm:4mm:300 --at event:top.release --y ball.vy_m_per_s\n"},
     {"basins",
      "  yoke basins impact_oscillator --grid start=-400mm:100mm:60 --grid start_speed=-1:1:60 --at every:frequency\n"},
+    {"orbit",
+     "  yoke orbit impact_pair --set start=centre --settle 1s --period 50ms\n"
+     "  yoke orbit slider_crank_clearance --set clearance=0.5mm --turns 1 --settle 0.12s\n"
+     "  yoke orbit double_pendulum --autonomous --period 2s -o results/swing\n"},
+    {"lyapunov",
+     "  yoke lyapunov double_pendulum --until 60s --exponents 4\n"
+     "  yoke lyapunov slider_crank_clearance --until 1s --transient 0.1s\n"},
     {"resume",
      "  yoke run scotch_yoke --checkpoint 0.01s -o results/long\n"
      "  yoke resume results/long\n"},
