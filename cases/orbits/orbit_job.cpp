@@ -142,7 +142,7 @@ void print(const PeriodicOrbit& o) {
   fmt::print("{}\n", o.reason);
   if (!o.found) return;
   fmt::print("period {:.12g} s, {}{}\n", o.period, name_of(o.stability),
-             o.bifurcation == Bifurcation::none
+             o.bifurcation == BifurcationKind::none
                  ? ""
                  : fmt::format(", near a bifurcation: {}", name_of(o.bifurcation)));
   fmt::print("{:>22} {:>22} {:>14}\n", "multiplier: real part", "imaginary part", "modulus");

@@ -322,9 +322,9 @@ void Shooting::classify(PeriodicOrbit& orbit) const {
     const bool real = std::abs(value.imag()) < near_circle;
     if (!real && keeps_volumes()) continue;
     nearest = distance;
-    orbit.bifurcation = !real              ? Bifurcation::neimark_sacker
-                        : value.real() > 0 ? Bifurcation::fold
-                                           : Bifurcation::flip;
+    orbit.bifurcation = !real              ? BifurcationKind::neimark_sacker
+                        : value.real() > 0 ? BifurcationKind::fold
+                                           : BifurcationKind::flip;
   }
   // Where all are trivial those of a model that keeps volumes say nothing, else there are none but 1.
   const bool silent = keeps_volumes() && orbit.largest_multiplier == 0.0;
@@ -378,13 +378,13 @@ std::string_view name_of(OrbitStability stability) {
   }
 }
 
-std::string_view name_of(Bifurcation bifurcation) {
+std::string_view name_of(BifurcationKind bifurcation) {
   switch (bifurcation) {
-    case Bifurcation::fold:
+    case BifurcationKind::fold:
       return "fold";
-    case Bifurcation::flip:
+    case BifurcationKind::flip:
       return "flip";
-    case Bifurcation::neimark_sacker:
+    case BifurcationKind::neimark_sacker:
       return "neimark_sacker";
     default:
       return "none";

@@ -42,7 +42,7 @@ enum class OrbitStability {
 
 /// How an orbit is about to change, by the multiplier nearest to the unit circle. Pairs of a model that keeps
 /// volumes are on the circle wherever the orbit is stable: they are not named.
-enum class Bifurcation {
+enum class BifurcationKind {
   none,            ///< none is near
   fold,            ///< +1: two orbits meet and vanish, or branches cross
   flip,            ///< -1: the period doubles
@@ -50,7 +50,7 @@ enum class Bifurcation {
 };
 /// As summaries write it.
 std::string_view name_of(OrbitStability stability);
-std::string_view name_of(Bifurcation bifurcation);
+std::string_view name_of(BifurcationKind bifurcation);
 
 /// One of Floquet's multipliers.
 struct FloquetMultiplier {
@@ -74,7 +74,7 @@ struct PeriodicOrbit {
   Eigen::MatrixXd basis, basis_rate;  // N, N' [n x f] at the start
   std::vector<FloquetMultiplier> multipliers;          // by falling size
   OrbitStability stability = OrbitStability::neutral;  // by the multipliers
-  Bifurcation bifurcation = Bifurcation::none;         // that is near
+  BifurcationKind bifurcation = BifurcationKind::none; // that is near
   /// Largest modulus of those that are not trivial; 0 if there are none.
   double largest_multiplier = 0.0;
   double determinant = 0.0;         // of the monodromy matrix: how volumes change in a period

@@ -26,7 +26,7 @@ TEST_CASE("the orbit of a forced linear oscillator and its multipliers are the c
   REQUIRE(orbit.found);
   CHECK(orbit.residuals.size() == 2);  // linear: one step
   CHECK(orbit.stability == OrbitStability::stable);
-  CHECK(orbit.bifurcation == Bifurcation::none);
+  CHECK(orbit.bifurcation == BifurcationKind::none);
   const std::complex<double> exact =
       std::exp(std::complex<double>(-0.5 * o.damping, std::sqrt(100.0 - 0.16)) * T);
   REQUIRE(orbit.multipliers.size() == 2);
