@@ -126,9 +126,13 @@ PoincareOptions map_options(const Case& c, const MapRequest& request, const Sect
                           .points = request.points,
                           .duration = request.duration};
   if (options.columns.empty()) options.columns = free_coordinates(at.model);
+  const auto own = [&](const std::string& name) {  // columns that the map has besides
+    return name.empty() || name == "t_s" ||
+           (at.section.kind == SectionKind::event &&
+            (name == "speed_m_per_s" || name == "penetration_m"));
+  };
   for (const std::string* name : {&request.x, &request.y})
-    if (!name->empty() && *name != "t_s" &&
-        std::ranges::find(options.columns, *name) == options.columns.end())
+    if (!own(*name) && std::ranges::find(options.columns, *name) == options.columns.end())
       options.columns.push_back(*name);
   if (options.duration == 0.0 && at.section.kind != SectionKind::period)
     options.duration = static_cast<double>(request.discard + request.points) *

@@ -31,7 +31,7 @@ constexpr Examples examples[] = {
      "  yoke poincare table_ball --at event:top.onset --y speed_m_per_s\n"},
     {"bifurcation",
      "  yoke bifurcation impact_oscillator --vary force=0.2:0.6:200 --both --at every:frequency --y mass.x_m\n"
-     "  yoke bifurcation table_ball --vary amplitude=1mm:4mm:300 --at event:top.release --y ball.vy_m_per_s\n"},
+     "  yoke bifurcation table_ball --vary amplitude=1.5mm:3.1mm:81 --at event:top.release --y ball.vy_m_per_s\n"},
     {"basins",
      "  yoke basins impact_oscillator --grid start=-400mm:100mm:60 --grid start_speed=-1:1:60 --at every:frequency\n"},
     {"orbit",

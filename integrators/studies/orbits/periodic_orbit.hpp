@@ -72,9 +72,9 @@ struct PeriodicOrbit {
   double residual = 0.0;              // the last of them
   Eigen::MatrixXd monodromy;          // [s x s] of y = (a, b, dz) and memories, see variation.hpp
   Eigen::MatrixXd basis, basis_rate;  // N, N' [n x f] at the start
-  std::vector<FloquetMultiplier> multipliers;          // by falling size
-  OrbitStability stability = OrbitStability::neutral;  // by the multipliers
-  BifurcationKind bifurcation = BifurcationKind::none; // that is near
+  std::vector<FloquetMultiplier> multipliers;           // by falling size
+  OrbitStability stability = OrbitStability::neutral;   // by the multipliers
+  BifurcationKind bifurcation = BifurcationKind::none;  // that is near
   /// Largest modulus of those that are not trivial; 0 if there are none.
   double largest_multiplier = 0.0;
   double determinant = 0.0;         // of the monodromy matrix: how volumes change in a period

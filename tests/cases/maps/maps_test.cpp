@@ -99,6 +99,18 @@ TEST_SUITE("maps") {
     CHECK(std::filesystem::exists(scratch / "out/summary.json"));
   }
 
+  TEST_CASE("at events the picture may show their speed") {
+    const TemporaryFolder scratch;
+    const auto run =
+        run_yoke(scratch,
+                 "poincare table_ball --rtol 1e-6 --discard 2 --points 4 --at event:top.onset "
+                 "--columns ball.vy_m_per_s --x t_s --y speed_m_per_s -o out");
+    INFO(run.out);
+    CHECK(run.code == 0);
+    CHECK(lines(scratch / "out/poincare.csv").front() ==
+          "t_s,ball.vy_m_per_s,speed_m_per_s,penetration_m");
+  }
+
   TEST_CASE("yoke bifurcation writes both directions, and what became of each value") {
     const TemporaryFolder scratch;
     const std::string command =
