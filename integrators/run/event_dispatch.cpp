@@ -168,7 +168,9 @@ void ElementEvents::handle_fired(std::size_t known) {
 }
 
 void ElementEvents::handle_one(const ForceSlot& slot, int event) {
-  if (slot.element->events_settle()) state_.handled.push_back(slot.events + event);
+  // Both directions of a crossing: rounding leaves the motion on either side of it.
+  for (int i = 0; slot.element->events_settle() && i < slot.element->events(); ++i)
+    state_.handled.push_back(slot.events + i);
   EventContext context = context_of(slot);
   const EnergyTerms before = dynamics_.system().calc_energy();
   note_drivers();

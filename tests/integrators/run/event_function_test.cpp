@@ -70,6 +70,30 @@ TEST_CASE("a user's event is located and recorded, in the direction asked for") 
   }
 }
 
+TEST_CASE("a blow at a crossing that turns the motion back is struck once") {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    for (int k = 0; k < 12; ++k) {
+      const double distance = 0.1 + 0.00371 * k;
+      Model m;
+      const BodyId ball = m.add(Body{.name = "ball",
+                                     .mass = mass,
+                                     .inertia = 1.0,
+                                     .pose = {{-distance, 0.0}, 0.0},
+                                     .twist = {{1.0, 0.0}, 0.0}});
+      m.add(EventFunction{.name = "mirror",
+                          .function = [ball](const Motion& at) { return at[ball].x; },
+                          .action = [ball](const EventAction& at) {
+                            at.impulse(ball, {-2.0 * mass * at.motion[ball].vx, 0.0}, 0.0);
+                          }});
+      const Result run = simulate(m, options(f.name, 2.0 * distance));
+      REQUIRE(run.summary.ok());
+      CHECK(run.events.size() == 1);
+      CHECK(run.final.q[0] == doctest::Approx(-distance).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("an event that stops ends the run well, at the event, with a row of its own") {
   for (const FormulationNote& f : formulations()) {
     INFO(f.name);
