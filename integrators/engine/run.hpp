@@ -61,7 +61,7 @@ class Run {
   const State& shown();
   /// The columns of the samples at time().
   const Table& outputs();
-  const Table& columns() const { return result_.samples; }
+  const Table& columns();  // of outputs()
   /// A changeable parameter, from time() on. Throws ModelError if it may not have the value.
   void set_parameter(std::size_t index, double value);
   double parameter(std::size_t index) const;

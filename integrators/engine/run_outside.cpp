@@ -48,6 +48,12 @@ const State& Run::shown() {
   return look_->state;
 }
 
+const Table& Run::columns() {
+  if (options_.columns.empty()) return result_.samples;
+  if (!look_) look_ = std::make_unique<Look>(dynamics_.system().model());
+  return look_->row.samples;
+}
+
 const Table& Run::outputs() {
   const State& state = shown();
   if (look_ && look_->recorded) return look_->row.samples;

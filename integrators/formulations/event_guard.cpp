@@ -23,6 +23,7 @@ EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   last_.assign(count, -1.0);
   seen_ = last_;
   armed_.assign(count, 0);
+  negative_.assign(count, 0.0);
   fired_.reserve(count);
   passed_.reserve(count);
 }
@@ -35,6 +36,7 @@ void EventGuard::calc(double t, const double* q, const double* v, const double* 
 
 void EventGuard::start(double t, const double* q, const double* v, const double* z) {
   calc(t, q, v, z, last_.data());
+  std::ranges::fill(negative_, 0.0);
   for (std::size_t i = 0; i < last_.size(); ++i) armed_[i] = last_[i] < 0.0 ? 1 : 0;
 }
 
@@ -45,7 +47,11 @@ void EventGuard::start(const State& state) {
 
 void EventGuard::settle(const State& state, double t) {
   if (state.handled_at != t) return;
-  for (const int i : state.handled) armed_[static_cast<std::size_t>(i)] = 0;
+  for (const int slot : state.handled) {
+    const auto i = static_cast<std::size_t>(slot);
+    armed_[i] = 0;
+    negative_[i] = below_zero(last_[i]);
+  }
 }
 
 bool EventGuard::evaluate(double t, const double* q, const double* v, const double* z, double* g) {
@@ -69,7 +75,7 @@ void EventGuard::accept(double t, const double* q, const double* v, const double
     calc(t, q, v, z, last_.data());
   }
   for (std::size_t i = 0; i < last_.size(); ++i)
-    if (last_[i] < 0.0) armed_[i] = 1;
+    if (last_[i] < negative_[i]) armed_[i] = 1;
 }
 
 void EventGuard::collect(double t, const double* q, const double* v, const double* z,

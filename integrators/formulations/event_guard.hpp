@@ -7,11 +7,16 @@
 // SUNDIALS, which refuses a function that stays at zero.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include <yoke/core/equations/dynamics.hpp>
 
 namespace yoke {
+
+/// What a function must fall below to have been negative after it was handled at `value`, which is zero up
+/// to where the event was located: on either side, whatever the motion does next.
+inline double below_zero(double value) { return -2.0 * std::abs(value); }
 
 class EventGuard {
  public:
@@ -42,6 +47,7 @@ class EventGuard {
   std::vector<double> seen_;  // by the root finder last, before hiding
   double t_seen_ = 0.0;
   std::vector<char> armed_;
+  std::vector<double> negative_;  // what a function must be below to be armed
   std::vector<int> fired_, passed_;
 };
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include <yoke/integrators/formulations/event_guard.hpp>
+
 namespace yoke {
 
 namespace {
@@ -46,8 +48,10 @@ void EventLocator::start(const State& state) {
   for (Watched& w : watched_) {
     w.seen.back() = values_[static_cast<std::size_t>(w.slot)];
     w.armed = w.seen.back() < 0.0;
-    if (state.handled_at == state.t && std::ranges::count(state.handled, w.slot) > 0)
-      w.armed = false;
+    w.negative = 0.0;
+    if (state.handled_at != state.t || std::ranges::count(state.handled, w.slot) == 0) continue;
+    w.armed = false;
+    w.negative = below_zero(w.seen.back());
   }
 }
 
@@ -132,7 +136,7 @@ void EventLocator::look_inside(Formulation& formulation, Step step, double from,
     note(first_crossing(formulation, w, last, from, to, scratch), w.slot);
   }
   for (Watched& w : watched_)
-    w.armed = std::ranges::count(fired_, w.slot) == 0 && (w.armed || w.seen.back() < 0.0);
+    w.armed = std::ranges::count(fired_, w.slot) == 0 && (w.armed || w.seen.back() < w.negative);
 }
 
 /// [s] Where a function first crosses zero upwards up to look `last`.
@@ -142,13 +146,16 @@ double EventLocator::first_crossing(Formulation& formulation, const Watched& w, 
     return i + 1 == looks.size() ? to : from + looks[i] * (to - from);
   };
   bool armed = w.armed;
+  // Times are known to their last places alone.
+  const double change = std::abs(w.seen.back() - w.seen.front()) / (to - from);
+  const double negative = w.negative < 0.0 ? w.negative - flat * std::abs(to) * change : w.negative;
   for (std::size_t i = 1; i <= last; ++i) {
     double above = nowhere;
     if (armed && w.seen[i] >= 0.0)
       above = time(i);
     else if (w.seen[i] < 0.0 && i + 1 < looks.size() && is_largest(w, i))
       above = find_above(formulation, w.slot, {time(i - 1), time(i), time(i + 1)}, scratch);
-    armed = armed || w.seen[i] < 0.0;
+    armed = armed || w.seen[i] < negative;
     if (above == nowhere) continue;
     const double crossing = locate_crossing(formulation, w.slot, time(i - 1), above, scratch);
     if (crossing < nowhere) return crossing;

@@ -46,6 +46,7 @@ class EventLocator {
     bool of_contact() const { return first_contact < last_contact; }
     bool active = true;
     bool armed = false;
+    double negative = 0.0;  // what it must be below to be armed
     std::array<double, looks.size()> seen{};
   };
 

@@ -209,7 +209,7 @@ TEST_SUITE("program") {
       CHECK_MESSAGE(contains(outcome.out, why), outcome.out);
     };
     refused("run hanging_chain --set links=2.5",
-            "links: 2.5 is not a whole number; accepted: a whole number, 1 to 400");
+            "links: 2.5 is not a whole number; accepted: a whole number, 1 to 1000000");
     refused("modes hanging_chain --lowest=-1", "lowest = -1 must be at least 0");
     refused("run n_four_bar --set N=1.7", "N: 1.7 is not a whole number");
     refused("run parallelogram --set cranks=3.1", "cranks: 3.1 is not a whole number");

@@ -83,9 +83,10 @@ TEST_CASE("a blow at a crossing that turns the motion back is struck once") {
                                      .twist = {{1.0, 0.0}, 0.0}});
       m.add(EventFunction{.name = "mirror",
                           .function = [ball](const Motion& at) { return at[ball].x; },
-                          .action = [ball](const EventAction& at) {
-                            at.impulse(ball, {-2.0 * mass * at.motion[ball].vx, 0.0}, 0.0);
-                          }});
+                          .action =
+                              [ball](const EventAction& at) {
+                                at.impulse(ball, {-2.0 * mass * at.motion[ball].vx, 0.0}, 0.0);
+                              }});
       const Result run = simulate(m, options(f.name, 2.0 * distance));
       REQUIRE(run.summary.ok());
       CHECK(run.events.size() == 1);
