@@ -63,7 +63,7 @@ struct Job {
     write_run(c, request, run, own.output, output);
     if (request.plots && run.summary.ok()) drawn = write_standard_data(run, plots(), c.paths);
     run.replay.clear();
-    if (!request.plots || !more) run.history = run.samples = run.dense = {};
+    if (!request.plots || !more) run.history = run.samples = run.dense = run.dense_history = {};
     return run;
   }
 

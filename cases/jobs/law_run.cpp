@@ -199,7 +199,8 @@ LawRun run_law(const Case& c, const RunRequest& request, const std::string& law,
   keep(std::move(result), run);
   run.contacts = contact_records(contacts, run);
   if (all) run.peak = largest_force(run.all(), contacts);
-  if (!own.empty()) run.history = renamed(run.all(), own);
+  if (!own.empty()) run.history = renamed(run.samples, own);
+  if (!own.empty() && run.dense.rows() > 0) run.dense_history = renamed(run.dense, own);
   if (request.report && run.samples.rows() > 0)
     run.replay = to_json(Replay{.c = c,
                                 .parameters = request.parameters,

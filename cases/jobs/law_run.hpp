@@ -37,12 +37,13 @@ struct ForcePeak {
 
 /// The run under one law.
 struct LawRun {
-  std::string law{};     // as asked for; "" if the case has no choice
-  std::string folder{};  // of the results, within that of the job; "" if it is that of the job
-  bool done = false;     // false: not begun, because the job was interrupted
-  Table samples{};       // the engine's columns
-  Table history{};       // all() under the case's own names; empty if the case has none
-  Table dense{};         // samples and the rows within contacts; empty if there are none
+  std::string law{};      // as asked for; "" if the case has no choice
+  std::string folder{};   // of the results, within that of the job; "" if it is that of the job
+  bool done = false;      // false: not begun, because the job was interrupted
+  Table samples{};        // the engine's columns
+  Table history{};        // under the case's own names; empty if the case has none
+  Table dense{};          // samples and the rows within contacts; empty if there are none
+  Table dense_history{};  // the same under the case's own names
   std::vector<EventRecord> events{};
   Summary summary{};
   std::vector<ContactRecord> contacts{};
@@ -52,8 +53,13 @@ struct LawRun {
   std::vector<Portrait> portraits{};
   std::string replay{};  // for a report (cases/report/replay.hpp), if one was asked for
 
-  /// All rows, with the columns of motion.csv if the case has its own.
-  const Table& motion() const { return history.names().empty() ? all() : history; }
+  /// What motion.csv shows, uniform in time.
+  const Table& motion() const { return history.names().empty() ? samples : history; }
+  /// The same with all rows there are.
+  const Table& all_motion() const {
+    if (history.names().empty()) return all();
+    return dense_history.rows() == 0 ? history : dense_history;
+  }
   /// All rows there are, not uniform in time.
   const Table& all() const { return dense.rows() == 0 ? samples : dense; }
   double peak_force() const;           ///< [N] of all contacts

@@ -229,7 +229,7 @@ std::vector<double> SweepQuantities::of(const LawRun& run) const {
                                 s.angular_velocity_violation,
                                 static_cast<double>(missed)};
   for (const SweepMeasure& m : measures_) {
-    const Table& rows = run.all().has(m.column) ? run.all() : run.history;
+    const Table& rows = run.all().has(m.column) ? run.all() : run.all_motion();
     values.push_back(measure(rows, m.column, m.how, m.at, from_));
   }
   return values;

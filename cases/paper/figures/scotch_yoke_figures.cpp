@@ -46,23 +46,23 @@ struct Window {
   double angle = 0.0;  // [rad] relative crank angle at its start
 };
 
-Window last_revolution(const LawRun& run, const ScotchYoke& choices) {
-  const Eigen::VectorXd t = run.motion()["t_s"], angle = run.motion()["crank_angle_relative_rad"];
+Window last_revolution(const Table& rows, const ScotchYoke& choices) {
+  const Eigen::VectorXd t = rows["t_s"], angle = rows["crank_angle_relative_rad"];
   const double start = choices.last_revolution_start();
   const auto first = std::lower_bound(t.begin(), t.end(), start * (1.0 - 1e-12)) - t.begin();
-  return {
-      .first = static_cast<std::size_t>(first), .last = run.motion().rows(), .angle = angle[first]};
+  return {.first = static_cast<std::size_t>(first), .last = rows.rows(), .angle = angle[first]};
 }
 
 void write_revolution(const LawRun& run, const ScotchYoke& choices, const Path& folder) {
   Rows rows(
       "angle_deg,force_N,penetration_um,slider_x_mm,slider_v_m_per_s,slider_a_m_per_s2,"
       "deviation_um");
-  const auto angle = run.motion()["crank_angle_relative_rad"],
-             force = run.motion()["normal_force_N"], penetration = run.motion()["penetration_m"],
-             x = run.motion()["slider_x_m"], v = run.motion()["slider_v_m_per_s"],
-             a = run.motion()["slider_a_m_per_s2"], omega = run.motion()["crank_speed_rad_per_s"];
-  const Window window = last_revolution(run, choices);
+  const Table& rows_of_run = run.all_motion();
+  const auto angle = rows_of_run["crank_angle_relative_rad"], force = rows_of_run["normal_force_N"],
+             penetration = rows_of_run["penetration_m"], x = rows_of_run["slider_x_m"],
+             v = rows_of_run["slider_v_m_per_s"], a = rows_of_run["slider_a_m_per_s2"],
+             omega = rows_of_run["crank_speed_rad_per_s"];
+  const Window window = last_revolution(rows_of_run, choices);
   for (std::size_t row = window.first; row < window.last; ++row) {
     const auto i = static_cast<Eigen::Index>(row);
     const IdealMotion ideal =
@@ -375,7 +375,7 @@ void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& fold
   const auto angle = run.motion()["crank_angle_relative_rad"], x = run.motion()["slider_x_m"],
              force = run.motion()["normal_force_N"];
   const std::size_t region = run.motion().index("region");
-  const Window window = last_revolution(run, choices);
+  const Window window = last_revolution(run.motion(), choices);
   const Eigen::VectorXd t = run.motion()["t_s"];
   const double begin = choices.last_revolution_start();
   for (int frame = 0; frame < 90; ++frame) {

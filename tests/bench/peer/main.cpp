@@ -23,7 +23,7 @@ using namespace yoke::bench;
 using namespace yoke::bench::peer;
 
 constexpr double longest = 5.0;  // [s] a run of a round; what takes longer is measured once
-constexpr double least = 0.02;    // [s] of measured time a round: short runs are repeated
+constexpr double least = 0.02;   // [s] of measured time a round: short runs are repeated
 
 struct Program {
   std::string name;
