@@ -146,10 +146,17 @@ Model ratchet_model(const Ratchet& c, const WallLaws& laws) {
 /// [rad] The wheel at the ends of the cycles, when it lies on the holding pawl.
 std::vector<double> wheel_after_cycles(const Ratchet& c, const Result& run) {
   const Eigen::VectorXd t = run["t_s"], angle = run["wheel.angle_rad"];
+  const Eigen::VectorXd omega = run["wheel.omega_rad_per_s"];
   std::vector<double> angles;
   for (int k = 1; k <= c.cycles + 1e-9; ++k) {
-    const auto after = std::lower_bound(t.begin(), t.end(), k / c.frequency - 1e-9) - t.begin();
-    angles.push_back(angle[std::min<Eigen::Index>(after, t.size() - 1)]);
+    const double end = k / c.frequency;
+    const auto after = std::lower_bound(t.begin(), t.end(), end - 1e-9) - t.begin();
+    const auto i = std::clamp<Eigen::Index>(after, 1, t.size() - 1), before = i - 1;
+    const double h = t[i] - t[before], s = std::min(1.0, (end - t[before]) / h);
+    const double mean = (angle[i] - angle[before]) / h;
+    angles.push_back(
+        angle[before] +
+        h * s * (mean + (1.0 - s) * ((1.0 - s) * (omega[before] - mean) - s * (omega[i] - mean))));
   }
   return angles;
 }
