@@ -20,4 +20,12 @@ struct Clock {
 
 inline double seconds_since(Clock::time_point begin) { return Clock::now() - begin; }
 
+/// [s] Processor time of one call.
+template <class Run>
+double seconds_of(Run&& run) {
+  const Clock::time_point begin = Clock::now();
+  run();
+  return seconds_since(begin);
+}
+
 }  // namespace yoke::bench

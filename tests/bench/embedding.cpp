@@ -12,13 +12,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <vector>
 
 #include <yoke/core/control/sampled_controller.hpp>
 #include <yoke/integrators/simulation.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
+#include <yoke/tests/bench/clock.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
 namespace {
@@ -28,24 +28,13 @@ using namespace yoke::tests;
 
 const SimulationOptions options{.until = 2.0 * yoke_period, .samples = 0};
 
-double seconds(const std::function<void()>& run) {
-  const auto now = [] {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double began = now();
-  run();
-  return now() - began;
-}
-
 /// Time of `run` over that of `reference`, both run in turn.
 double ratio(const std::function<void()>& run, const std::function<void()>& reference) {
   constexpr int rounds = 31;
   std::vector<double> ratios;
   for (int i = 0; i < rounds; ++i) {
-    const double first = seconds(run);
-    ratios.push_back(first / seconds(reference));
+    const double first = bench::seconds_of(run);
+    ratios.push_back(first / bench::seconds_of(reference));
   }
   std::ranges::sort(ratios);
   return ratios[rounds / 2];

@@ -10,27 +10,16 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <vector>
 
+#include <yoke/tests/bench/clock.hpp>
 #include <yoke/tests/integrators/studies/oscillators.hpp>
 
 namespace {
 
 using namespace yoke;
 using namespace yoke::tests;
-
-double seconds(const std::function<void()>& run) {
-  const auto now = [] {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double began = now();
-  run();
-  return now() - began;
-}
 
 void report(benchmark::State& state, int columns, const std::function<void()>& varied,
             const std::function<void()>& alone) {
@@ -39,8 +28,8 @@ void report(benchmark::State& state, int columns, const std::function<void()>& v
   for (auto _ : state) {
     ratios.clear();
     for (int i = 0; i < rounds; ++i) {
-      const double first = seconds(varied);
-      ratios.push_back(first / seconds(alone));
+      const double first = bench::seconds_of(varied);
+      ratios.push_back(first / bench::seconds_of(alone));
     }
   }
   std::ranges::sort(ratios);

@@ -2,11 +2,10 @@
 // Copyright 2026 the Yoke authors
 #include <doctest/doctest.h>
 
-#include <sstream>
 #include <string>
 
-#include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/docs/maps_example.hpp>
+#include <yoke/tests/docs/page_commands.hpp>
 #include <yoke/tests/documentation.hpp>
 
 TEST_CASE("the code in docs/maps.md is compiled here and does what it says") {
@@ -26,17 +25,7 @@ TEST_CASE("the code in docs/maps.md is compiled here and does what it says") {
 TEST_CASE("the commands in docs/maps.md run, and write what the page says") {
   using namespace yoke::tests;
   const TemporaryFolder scratch;
-  std::size_t commands = 0;
-  for (const std::string& block : code_blocks("docs/maps.md", "sh")) {
-    std::istringstream all(block);
-    for (std::string line; std::getline(all, line); ++commands) {
-      REQUIRE(line.starts_with("yoke "));
-      const auto run = run_yoke(scratch, line.substr(5));
-      INFO(line << "\n" << run.out);
-      CHECK(run.code == 0);
-    }
-  }
-  CHECK(commands == 3);
+  CHECK(run_commands_of("docs/maps.md", scratch) == 3);
   const std::string page = source("docs/maps.md");
   for (const char* file : {"poincare/poincare.csv", "poincare/summary.json",
                            "bifurcation/bifurcation.csv", "bifurcation/periods.csv",

@@ -3,11 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 
-#include <yoke/tests/cases/program/program_run.hpp>
 #include <yoke/tests/docs/orbits_example.hpp>
+#include <yoke/tests/docs/page_commands.hpp>
 #include <yoke/tests/documentation.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
 
@@ -29,17 +28,7 @@ TEST_CASE("the code in docs/orbits.md is compiled here and does what it says") {
 TEST_CASE("the commands in docs/orbits.md run, and write what the page says") {
   using namespace yoke::tests;
   const TemporaryFolder scratch;
-  std::size_t commands = 0;
-  for (const std::string& block : code_blocks("docs/orbits.md", "sh")) {
-    std::istringstream all(block);
-    for (std::string line; std::getline(all, line); ++commands) {
-      REQUIRE(line.starts_with("yoke "));
-      const auto run = run_yoke(scratch, line.substr(5));
-      INFO(line << "\n" << run.out);
-      CHECK(run.code == 0);
-    }
-  }
-  CHECK(commands == 3);
+  CHECK(run_commands_of("docs/orbits.md", scratch) == 3);
   const std::string page = source("docs/orbits.md");
   for (const char* file : {"orbit.csv", "multipliers.csv", "events.csv", "summary.json"}) {
     CHECK(std::filesystem::exists(scratch / "results/orbit" / file));

@@ -376,13 +376,9 @@ void write_frames(const LawRun& run, const ScotchYoke& choices, const Path& fold
              force = run.motion()["normal_force_N"];
   const std::size_t region = run.motion().index("region");
   const Window window = last_revolution(run.motion(), choices);
-  const Eigen::VectorXd t = run.motion()["t_s"];
-  const double begin = choices.last_revolution_start();
   for (int frame = 0; frame < 90; ++frame) {
-    const double at = begin + (choices.end_time() - begin) * frame / 90.0;
-    const auto row =
-        std::max(window.first,
-                 static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), at) - t.begin()));
+    const std::size_t row =
+        window.first + (window.last - 1 - window.first) * static_cast<std::size_t>(frame) / 90;
     const auto i = static_cast<Eigen::Index>(row);
     const Vec2 pin = rotate(choices.start_angle + angle[i], {choices.crank_length, 0.0});
     const Vec2 away = (pin - Vec2{x[i], 0.0}).normalized();
