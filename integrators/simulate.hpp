@@ -53,6 +53,7 @@ struct SimulationOptions {
   double time_scale = 0.0;       // [s] of velocities: length / time
   double baumgarte_rate = 0.0;   // [1/s] gain after Baumgarte, see docs/numerics.md
   double spectral_radius = 0.8;  // 0 to 0.999, formulation generalised-alpha only
+  int order = 0;                 // of explicit Runge-Kutta steps: 5, 7; 0: what costs less
   /// What solves for accelerations and multipliers: blocks (along the graph of the joints), range-klu,
   /// klu (the saddle matrix); automatic takes what costs less. See docs/numerics.md.
   std::string linear_solver = "automatic";

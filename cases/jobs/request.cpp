@@ -11,6 +11,7 @@ SimulationOptions simulation_options(const RunRequest& request, double until, in
   options.relative_tolerance = request.relative_tolerance;
   options.formulation = request.formulation;
   options.samples = samples;
+  options.order = request.order;
   options.linear_solver = request.linear_solver;
   if (request.spectral_radius) options.spectral_radius = *request.spectral_radius;
   if (request.checkpoint_every > 0.0 || request.checkpoint_events > 0)

@@ -34,6 +34,7 @@ struct RunRequest {
   bool quiet = false;                       // print failures alone
   bool verify = false;                      // run again by another formulation and compare
   std::optional<double> spectral_radius{};  // of generalised-alpha; none: its default
+  int order = 0;                            // of explicit Runge-Kutta steps; 0: what costs less
   std::string linear_solver = "automatic";
   double checkpoint_every = 0.0;  // [s] simulated time; 0: none by time
   long checkpoint_events = 0;     // 0: none at events

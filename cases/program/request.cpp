@@ -47,6 +47,19 @@ double checked_interval(const std::string& text) {
 }
 
 /// Refused where it would do nothing.
+int checked_order(const RequestOptions& o) {
+  if (o.order == 0) return 0;
+  if (o.order != 5 && o.order != 7)
+    throw ModelError(fmt::format("--order {}: accepted are 5 and 7", o.order));
+  if (!o.formulation.empty() && !o.formulation.starts_with("arkode"))
+    throw ModelError(fmt::format(
+        "--order {}: formulation '{}' has none; it belongs to --formulation arkode-projection and "
+        "arkode-baumgarte",
+        o.order, o.formulation));
+  return static_cast<int>(o.order);
+}
+
+/// Refused where it would do nothing.
 std::optional<double> checked_spectral_radius(const RequestOptions& o) {
   if (o.spectral_radius.empty()) return std::nullopt;
   const double radius = parse_quantity("--spectral-radius", Quantity::number, o.spectral_radius);
@@ -193,6 +206,11 @@ void add_output_options(CLI::App& verb, RequestOptions& o) {
                   "Of generalised-alpha at infinite frequency, 0 (damps most) to 0.999; default "
                   "0.8")
       ->type_name("X");
+  verb.add_option(
+          "--order", o.order,
+          "Of the steps of arkode-projection and arkode-baumgarte, 5 or 7; default: the run "
+          "takes what costs less")
+      ->type_name("N");
   verb.add_option("--linear-solver", o.linear_solver,
                   "What solves for accelerations and multipliers: blocks (along the graph of the "
                   "joints), range-klu, klu (the saddle matrix); default automatic")
@@ -227,6 +245,7 @@ void visit_options(Options& o, Visit&& visit) {
   visit("checkpoint", o.checkpoint);
   visit("checkpoint_events", o.checkpoint_events);
   visit("spectral_radius", o.spectral_radius);
+  visit("order", o.order);
   visit("linear_solver", o.linear_solver);
   visit("format", o.format);
   visit("columns", o.columns);
@@ -238,9 +257,9 @@ void visit_options(Options& o, Visit&& visit) {
 /// Options that came after run.json was first written: a file without them is an older one, of a
 /// run with their defaults.
 bool added_later(std::string_view option) {
-  constexpr std::string_view later[] = {"friction", "spectral_radius", "linear_solver", "no_report",
-                                        "paper",    "format",          "columns",       "every",
-                                        "from",     "events_only"};
+  constexpr std::string_view later[] = {
+      "friction", "spectral_radius", "order", "linear_solver", "no_report",  "paper",
+      "format",   "columns",         "every", "from",          "events_only"};
   return std::ranges::find(later, option) != std::end(later);
 }
 
@@ -301,6 +320,7 @@ std::string command_of(const RequestOptions& o) {
     text += fmt::format(" --rtol {}", o.relative_tolerance);
   if (!o.formulation.empty()) text += " --formulation " + quoted(o.formulation);
   if (!o.spectral_radius.empty()) text += " --spectral-radius " + quoted(o.spectral_radius);
+  if (o.order != 0) text += fmt::format(" --order {}", o.order);
   if (o.linear_solver != defaults.linear_solver)
     text += " --linear-solver " + quoted(o.linear_solver);
   if (o.samples != defaults.samples) text += fmt::format(" --samples {}", o.samples);
@@ -337,6 +357,7 @@ RunRequest make_request(const Case& c, const RequestOptions& o) {
           .quiet = o.quiet,
           .verify = o.verify,
           .spectral_radius = checked_spectral_radius(o),
+          .order = checked_order(o),
           .linear_solver = o.linear_solver,
           .checkpoint_every = checked_interval(o.checkpoint),
           .checkpoint_events = o.checkpoint_events};

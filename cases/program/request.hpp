@@ -33,6 +33,7 @@ struct RequestOptions {
   std::string checkpoint;       // simulated time between checkpoints, "0.01s"; "": none by time
   long checkpoint_events = 0;   // 0: none by events
   std::string spectral_radius;  // "": its default
+  long order = 0;               // of explicit Runge-Kutta steps; 0: what costs less
   std::string linear_solver = "automatic";
   std::string format = "csv";
   std::vector<std::string> columns{};  // patterns; empty: all

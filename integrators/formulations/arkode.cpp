@@ -3,15 +3,17 @@
 //
 // Explicit Runge-Kutta on the accelerations of the saddle system, y = (q, v, z, energies), by
 // ARKODE. Two ways to stay on the constraints: projection of positions and velocities after every
-// step (in the metric of the masses), or Baumgarte's stabilisation. Order 5(4) of Dormand and
-// Prince. ARKODE's dense output is an order worse than its steps, and a train of bounces is only as
-// good as its events. So samples and events are taken from a step of our own with the same
-// coefficients, from the start of ARKODE's step to the time wanted; a root that ARKODE located on
-// its dense output is polished on such steps.
+// step (in the metric of the masses), or Baumgarte's stabilisation. Order 5(4) or 7(6), as it pays.
+// ARKODE's dense output is worse than its steps, and a train of bounces is only as good as its
+// events. So samples and events are taken from a step of our own with the same coefficients, from
+// the start of ARKODE's step to the time wanted; a root that ARKODE located on its dense output is
+// polished on such steps.
+#include <yoke/integrators/formulations/explicit/order_choice.hpp>
 #include <yoke/integrators/formulations/sundials_stepper.hpp>
 #include <yoke/integrators/sundials/compatibility.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,15 +24,21 @@ namespace yoke {
 namespace {
 
 constexpr int max_error_test_failures = 30;
-constexpr ARKODE_ERKTableID tableau = ARKODE_DORMAND_PRINCE_7_4_5;
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr double cautious = 0.8;  // of a step that is planned: behind a restart more are rejected
+constexpr double least_growth = 0.2, most_growth = 5.0;  // of a first step, to the next of its kind
 constexpr double reached = 1.0 + 1e-9;  // a step that comes so near to a stop ends there
 // Of the polynomial on which ARKODE looks for roots; one more would cost an evaluation in each step, and
 // roots are made exact on steps of our own.
 constexpr int interpolant = 3;
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
+constexpr double least_error = 1e-6;  // that says something about the length of steps
+
+bool touches(const State& state) {
+  return std::ranges::any_of(state.contacts,
+                             [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
+}
 
 class Arkode final : public SundialsStepper {
  public:
@@ -55,67 +63,117 @@ class Arkode final : public SundialsStepper {
   }
   bool calc_rates(Dynamics& equations, double t, const double* y, double* y_dot);
   bool project(double t, double* y);
-  void create(double t);
+  struct Integrator {
+    const ExplicitPair* pair = nullptr;
+    void* memory = nullptr;  // ARKODE's, when it is needed
+  };
+
+  struct Slope;
+  void keep(Slope& slope);
+  void create();
+  void begin(int order, double first_step);
   void rebase();
   void set_stop(double t_stop);
+  void compare_orders();
+  void change_order();
+  void note_first_step();
+  double judge(const ExplicitPair& pair, double h);
+  double cost(const ExplicitPair& pair, double h, double error) const;
 
   bool projects_;
   Baumgarte stabilisation_;
-  void* memory_ = nullptr;
+  OrderChoice choice_;
+  std::array<Integrator, 2> integrators_;
+  Integrator* active_ = nullptr;
+  double other_step_ = 0.0;  // [s] with which the other order would begin
+  SundialsVector scratch_;
   std::vector<double> before_projection_;
-  std::optional<OwnStep> look_step_;  // of looks, with the equations they were given last
+  /// y' at an end of the last step, as far as ARKODE has asked for it.
+  struct Slope {
+    std::vector<double> rates{};  // [size]
+    bool known = false;
+  };
+  Slope at_begin_, at_end_;
+  const double* last_rates_ = nullptr;  // that ARKODE asked for last, since the last projection
+  double t_rates_ = 0.0;                // [s]
+  std::optional<OwnStep> look_step_;    // of looks, with the equations they were given last
   Dynamics* looking_ = nullptr;
   bool base_is_far_ = false;
-  bool goes_on_ = false;           // behind a restart with the step size there was
-  double natural_step_ = 0.0;      // [s] one that may be made if no stop cuts it short
-  double planned_step_ = nowhere;  // [s] ARKODE's next one, or nowhere: not known
+  bool touching_ = false, begins_ = false;
+  std::array<double, 2> first_steps_{};  // [s] apart, touching; 0: it chooses
+  bool goes_on_ = false;                 // behind a restart with the step size there was
+  double natural_step_ = 0.0;            // [s] one that may be made if no stop cuts it short
+  double planned_step_ = nowhere;        // [s] ARKODE's next one, or nowhere: not known
 };
 
 Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
     : SundialsStepper(dynamics, tolerances,
                       2 * dynamics.system().dofs() + dynamics.system().states(), one_step),
       projects_(projects),
-      stabilisation_(critically_damped(tolerances)) {
+      stabilisation_(critically_damped(tolerances)),
+      choice_(tolerances.relative, tolerances.order),
+      integrators_{{{&explicit_pair(OrderChoice::low)}, {&explicit_pair(OrderChoice::high)}}},
+      scratch_(size_, context_, &groups_) {
   before_projection_ = q_start_;
+  at_begin_.rates = at_end_.rates = end_;
 }
 
 Arkode::~Arkode() {
-  if (memory_ != nullptr) ARKodeFree(&memory_);
+  for (Integrator& each : integrators_)
+    if (each.memory != nullptr) ARKodeFree(&each.memory);
 }
 
-void Arkode::create(double t) {
-  memory_ = ERKStepCreate(&Arkode::rates, t, y_, context_);
-  context_.report_errors_of(SundialsPackage::arkode, memory_);
-  ARKodeSetUserData(memory_, user_data());
-  ERKStepSetTableNum(memory_, tableau);
-  ARKodeWFtolerances(memory_, &Arkode::calc_weights);
-  ARKodeSetMaxErrTestFails(memory_, max_error_test_failures);
-  ARKodeSetInterpolantDegree(memory_, interpolant);
-  if (projects_) ARKodeSetPostprocessStepFn(memory_, &Arkode::project);
+void Arkode::create() {
+  void* memory = active_->memory = ERKStepCreate(&Arkode::rates, t_, y_, context_);
+  context_.report_errors_of(SundialsPackage::arkode, memory);
+  ARKodeSetUserData(memory, user_data());
+  // It is copied.
+  ERKStepSetTable(memory, const_cast<ARKodeButcherTable>(active_->pair->table));
+  ARKodeWFtolerances(memory, &Arkode::calc_weights);
+  ARKodeSetMaxErrTestFails(memory, max_error_test_failures);
+  ARKodeSetInterpolantDegree(memory, interpolant);
+  // SUNDIALS 6.4 takes a last stage at the end of the step for the first one of the next step, unless
+  // something has been done to the solution.
+  if (projects_)
+    ARKodeSetPostprocessStepFn(memory, &Arkode::project);
+  else if (!active_->pair->first_same_as_last)
+    ARKodeSetPostprocessStepFn(memory, [](sunrealtype, N_Vector, void*) { return 0; });
   if (guard_.count() > 0) {
-    ARKodeRootInit(memory_, guard_.count(), &Arkode::events);
-    ARKodeSetRootDirection(memory_, directions().data());
-    ARKodeSetNoInactiveRootWarn(memory_);
+    ARKodeRootInit(memory, guard_.count(), &Arkode::events);
+    ARKodeSetRootDirection(memory, directions().data());
+    ARKodeSetNoInactiveRootWarn(memory);
   }
+}
+
+// Steps of an order from t_, y; the first one as it finds it good, or as long as told [s].
+void Arkode::begin(int order, double first_step) {
+  before_ = counters();
+  active_ =
+      &*std::ranges::find(integrators_, order, [](const Integrator& i) { return i.pair->order; });
+  own_step_.use(*active_->pair);
+  if (look_step_) look_step_->use(*active_->pair);
+  if (active_->memory == nullptr)
+    create();
+  else
+    ERKStepReInit(active_->memory, &Arkode::rates, t_, y_);
+  ARKodeSetInitStep(active_->memory, first_step);
+  t_stop_ = t_;  // not set yet
+  planned_step_ = nowhere;
 }
 
 void Arkode::start(const State& state) {
   pack(state);
   t_ = state.t;
-  t_stop_ = t_;  // not set yet
   end_step();
   base_is_far_ = false;
   natural_step_ = 0.0;
-  planned_step_ = nowhere;
   goes_on_ = false;
   guard_.start(state);
-  if (memory_ == nullptr) {
-    create(state.t);
-  } else {
-    before_ = counters();
-    ERKStepReInit(memory_, &Arkode::rates, state.t, y_);
-    ARKodeSetInitStep(memory_, 0.0);  // it chooses
-  }
+  at_end_.known = false;
+  touching_ = touches(state);
+  choice_.start(touching_);
+  begins_ = true;
+  begin(choice_.order(), first_steps_[touching_ ? 1 : 0]);
   set_weights();
 }
 
@@ -133,9 +191,24 @@ void Arkode::rebase() {
   std::ranges::copy(end_, y());
   move_base();
   end_step();
-  ARKodeReset(memory_, t_end_, y_);
+  ARKodeReset(active_->memory, t_end_, y_);
   t_stop_ = t_end_;  // it has forgotten that too
   planned_step_ = nowhere;
+}
+
+// Spans between events are alike: where something touches now, the step begins as it could have begun the
+// last time. ARKODE's own first steps are so short that in a rattling joint they are a third of all.
+void Arkode::note_first_step() {
+  const double h = t_ - t_begin_;
+  double next = 0.0;
+  ARKodeGetCurrentStep(active_->memory, &next);
+  first_steps_[touching_ ? 1 : 0] = std::clamp(cautious * next, least_growth * h, most_growth * h);
+}
+
+// Before a step, likewise.
+void Arkode::change_order() {
+  std::ranges::copy(end_, y());
+  begin(choice_.order(), other_step_);
 }
 
 // ARKODE is told of a stop when the next step reaches it. If it knew before it would plan a step to
@@ -146,47 +219,91 @@ void Arkode::set_stop(double t_stop) {
     goes_on_ = false;
     const double rest = t_stop - t_;
     h = rest / std::ceil(rest / natural_step_);
-    ARKodeSetInitStep(memory_, h);
+    ARKodeSetInitStep(active_->memory, h);
   }
   if (t_ + reached * h < t_stop) t_stop = nowhere;
   if (t_stop == t_stop_) return;
-  ARKodeSetStopTime(memory_, t_stop);
+  ARKodeSetStopTime(active_->memory, t_stop);
   t_stop_ = t_stop;
+}
+
+// [error weights] Of a step from where the last one began, by a pair that is not the active one.
+double Arkode::judge(const ExplicitPair& pair, double h) {
+  own_step_.use(pair);
+  own_step_.from(t_begin_, begin_.data());
+  const double t = t_begin_ + h;
+  double error = nowhere;
+  if (own_step_.to(t, scratch_.data()))
+    error = own_step_.error(t, scratch_.data(), [this](const double* e) { return norm_of(e); });
+  own_step_.use(*active_->pair);
+  own_step_.from(t_begin_, begin_.data());
+  return error;
+}
+
+// [1/s] Evaluations per time, in steps of the length at which the error would be one.
+double Arkode::cost(const ExplicitPair& pair, double h, double error) const {
+  const double longer = std::pow(std::max(error, least_error), -1.0 / pair.order);
+  return pair.evaluations(projects_) / (longer * h);
+}
+
+// On the step that has just been made. The other pair makes it too, or half of it if it is the one for
+// shorter steps.
+void Arkode::compare_orders() {
+  const ExplicitPair &active = *active_->pair,
+                     &other = *integrators_[active_ == integrators_.data() ? 1 : 0].pair;
+  const bool up = other.order > active.order;
+  const double h = t_end_ - t_begin_, h_other = up ? h : 0.5 * h;
+  if (ERKStepGetEstLocalErrors(active_->memory, scratch_) != ARK_SUCCESS) return;
+  calc_weights(y_, sensible_weights_, user_data());
+  const double here = cost(active, h, norm_of(scratch_.data()));
+  const double there = cost(other, h_other, judge(other, h_other));
+  up ? choice_.compare(here, there) : choice_.compare(there, here);
+  other_step_ = cautious * other.evaluations(projects_) / there;
 }
 
 Step Arkode::step(double t_stop) {
   if (base_is_far_) rebase();
+  if (choice_.order() != active_->pair->order) change_order();
   set_stop(t_stop);
   begin_step();
-  const int flag = ARKodeEvolve(memory_, t_stop, y_, &t_, ARK_ONE_STEP);
+  std::swap(at_begin_, at_end_);
+  at_end_.known = false;
+  last_rates_ = nullptr;
+  const bool first = std::exchange(begins_, false);
+  void* const memory = active_->memory;
+  const int flag = ARKodeEvolve(memory, t_stop, y_, &t_, ARK_ONE_STEP);
   if (flag < 0) {
     undo_step();  // the last good step stays the one to interpolate
-    ARKodeGetCurrentTime(memory_, &t_);
+    std::swap(at_begin_, at_end_);
+    ARKodeGetCurrentTime(memory, &t_);
     return Step::failed;
   }
   end_step();
   if (flag == ARK_ROOT_RETURN) {
-    ARKodeGetRootInfo(memory_, found_.data());
+    ARKodeGetRootInfo(memory, found_.data());
     double t_limit = t_;
-    ARKodeGetCurrentTime(memory_, &t_limit);
+    ARKodeGetCurrentTime(memory, &t_limit);
     refine_event(t_limit);
     end_step();
     collect_events();
     return Step::event;
   }
   if (t_stop_ == nowhere) {  // at a stop it does not say what it plans
-    ARKodeGetCurrentStep(memory_, &planned_step_);
+    ARKodeGetCurrentStep(memory, &planned_step_);
     natural_step_ = cautious * planned_step_;
   }
   natural_step_ = std::max(natural_step_, t_ - t_begin_);
+  if (first) note_first_step();
+  if (last_rates_ != nullptr && t_rates_ == t_end_) keep(at_end_);
   accept_step();
   base_is_far_ = is_far_from_base();
+  if (choice_.count()) compare_orders();
   return Step::advanced;
 }
 
 double Arkode::last_step() const {
   double h = 0.0;
-  if (memory_ != nullptr) ARKodeGetLastStep(memory_, &h);
+  if (active_ != nullptr) ARKodeGetLastStep(active_->memory, &h);
   return h;
 }
 
@@ -194,7 +311,7 @@ void Arkode::interpolate(double t, State& state) {
   if (t == t_end_) {
     std::copy_n(end_.begin(), size_, y());
   } else if (!own_step_.to(t, y())) {
-    ARKodeGetDky(memory_, t, 0, y_);
+    ARKodeGetDky(active_->memory, t, 0, y_);
   }
   unpack(t, state);
 }
@@ -202,25 +319,43 @@ void Arkode::interpolate(double t, State& state) {
 void Arkode::look(double t, State& state, Dynamics& equations) {
   if (t == t_end_) return interpolate(t, state);
   looking_ = &equations;
-  if (!look_step_)
+  if (!look_step_) {
     look_step_.emplace(size_, [this](double at, const double* y, double* y_dot) {
       return calc_rates(*looking_, at, y, y_dot);
     });
+    look_step_->use(*active_->pair);
+  }
   look_step_->from(t_begin_, begin_.data());
-  if (!look_step_->to(t, y())) ARKodeGetDky(memory_, t, 0, y_);
+  if (!look_step_->to(t, y())) ARKodeGetDky(active_->memory, t, 0, y_);
   unpack(t, state);
 }
 
-// Positions by Hermite's cubic and velocities by its derivative, the rest linear.
+// Positions by Hermite's quintic, where accelerations are known at both ends, or cubic, velocities by its
+// derivative; the rest by a cubic or linear.
 void Arkode::glance(double t, State& state) {
-  const double h = t_end_ - t_begin_, s = h > 0.0 ? (t - t_begin_) / h : 1.0;
-  for (std::size_t i = 0; i < end_.size(); ++i) y()[i] = begin_[i] + s * (end_[i] - begin_[i]);
-  for (int i = 0; h > 0.0 && i < n_; ++i) {
-    const auto k = static_cast<std::size_t>(i), v = k + static_cast<std::size_t>(n_);
-    const double mean = (end_[k] - begin_[k]) / h;
-    const double a = begin_[v] - mean, b = end_[v] - mean;
-    y()[i] += h * s * (1.0 - s) * ((1.0 - s) * a - s * b);
-    y()[n_ + i] = mean + (1.0 - s) * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
+  const double h = t_end_ - t_begin_, s = h > 0.0 ? (t - t_begin_) / h : 1.0, r = 1.0 - s;
+  const bool both = at_begin_.known && at_end_.known;
+  const auto n = static_cast<std::size_t>(n_);
+  double* out = y();
+  for (std::size_t i = 0; i < end_.size(); ++i) {
+    out[i] = begin_[i] + s * (end_[i] - begin_[i]);
+    if (i < 2 * n || !both || !(h > 0.0)) continue;
+    const double mean = end_[i] - begin_[i];
+    const double a = h * at_begin_.rates[i] - mean, b = h * at_end_.rates[i] - mean;
+    out[i] += s * r * (r * a - s * b);
+  }
+  for (std::size_t i = 0; h > 0.0 && i < n; ++i) {
+    const double mean = (end_[i] - begin_[i]) / h;
+    const double a = begin_[n + i] - mean, b = end_[n + i] - mean;
+    out[i] += h * s * r * (r * a - s * b);
+    out[n + i] = mean + r * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
+    if (!both) continue;
+    // What accelerations are beyond those of the cubic, at either end.
+    const double c = h * at_begin_.rates[n + i] + 4.0 * a + 2.0 * b;
+    const double d = h * at_end_.rates[n + i] - 2.0 * a - 4.0 * b;
+    const double w = s * s * r * r, w_s = 2.0 * s * r * (r - s);
+    out[i] += 0.5 * h * w * (r * c + s * d);
+    out[n + i] += 0.5 * (w_s * (r * c + s * d) + w * (d - c));
   }
   unpack(t, state);
 }
@@ -228,10 +363,10 @@ void Arkode::glance(double t, State& state) {
 StepCounters Arkode::counters() const {
   StepCounters total = before_;
   total.raised = floor_.raised();
-  if (memory_ == nullptr) return total;
+  if (active_ == nullptr) return total;
   long steps = 0, failures = 0;
-  ARKodeGetNumSteps(memory_, &steps);
-  ARKodeGetNumErrTestFails(memory_, &failures);
+  ARKodeGetNumSteps(active_->memory, &steps);
+  ARKodeGetNumErrTestFails(active_->memory, &failures);
   total.steps += steps;
   total.rejected += failures;
   return total;
@@ -240,8 +375,17 @@ StepCounters Arkode::counters() const {
 int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
   auto& me = from<Arkode>(self);
   return me.failure_.guard([&] {
-    return me.calc_rates(t, NV_DATA_S(y), NV_DATA_S(y_dot)) ? 0 : 1;  // 1: try a shorter step
+    if (!me.calc_rates(t, NV_DATA_S(y), NV_DATA_S(y_dot))) return 1;  // try a shorter step
+    me.last_rates_ = NV_DATA_S(y_dot);
+    me.t_rates_ = t;
+    if (t == me.t_begin_ && !me.at_begin_.known) me.keep(me.at_begin_);
+    return 0;
   });
+}
+
+void Arkode::keep(Slope& slope) {
+  std::copy_n(last_rates_, size_, slope.rates.begin());
+  slope.known = true;
 }
 
 bool Arkode::calc_rates(Dynamics& equations, double t, const double* y, double* y_dot) {
@@ -259,6 +403,7 @@ int Arkode::project(sunrealtype t, N_Vector y_vector, void* self) {
 
 bool Arkode::project(double t, double* y) {
   double* q = q_of(y);
+  last_rates_ = nullptr;
   std::copy_n(q, n_, before_projection_.begin());
   if (!dynamics_.project(t, q, y + n_)) {
     report_failed_projection();

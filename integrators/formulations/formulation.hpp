@@ -26,6 +26,7 @@ struct Tolerances {
   double baumgarte_rate = 0.0;  // [1/s] the user's gain of Baumgarte's stabilisation; 0: none given
   double natural_rate = 1.0;    // [1/s] grows with the time scale and slowly with the tolerance
   double spectral_radius = 0.8;  // at infinity, formulation generalised-alpha only
+  int order = 0;                 // of explicit Runge-Kutta steps; 0: the run chooses
 };
 
 /// The least a position can be weighted with: a few units in its last place. Weights do not depend

@@ -17,8 +17,9 @@ std::unique_ptr<Formulation> make_generalised_alpha(Dynamics&, const Tolerances&
 const std::vector<FormulationEntry>& formulation_registry() {
   static const std::vector<FormulationEntry> entries = {
       {"arkode-projection",
-       "explicit Runge-Kutta 5(4) on accelerations; positions and velocities projected every step",
-       1, "Runge-Kutta", 5, make_arkode_projection},
+       "explicit Runge-Kutta 5(4) or 7(6), what costs less, on accelerations; positions and velocities "
+       "projected every step",
+       1, "Runge-Kutta", 7, make_arkode_projection},
       {"ida-ggl", "BDF on the stabilised index-2 equations of Gear, Gupta and Leimkuhler", 2, "BDF",
        5, make_ida_ggl},
       {"cvode-projection",
@@ -27,8 +28,9 @@ const std::vector<FormulationEntry>& formulation_registry() {
       {"ida-baumgarte", "BDF on the index-1 equations stabilised after Baumgarte; drifts a little",
        1, "BDF", 5, make_ida_baumgarte},
       {"arkode-baumgarte",
-       "explicit Runge-Kutta 5(4) on accelerations stabilised after Baumgarte; drifts a little", 1,
-       "Runge-Kutta", 5, make_arkode_baumgarte},
+       "explicit Runge-Kutta 5(4) or 7(6), what costs less, on accelerations stabilised after "
+       "Baumgarte; drifts a little",
+       1, "Runge-Kutta", 7, make_arkode_baumgarte},
       {"adams-baumgarte",
        "Adams on accelerations stabilised after Baumgarte; for long smooth motions; drifts a "
        "little",

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include <yoke/integrators/formulations/event_guard.hpp>
+#include <yoke/integrators/formulations/explicit/own_step.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
-#include <yoke/integrators/formulations/own_step.hpp>
 #include <yoke/integrators/formulations/rounding_floor.hpp>
 #include <yoke/integrators/sundials/callback_failure.hpp>
 #include <yoke/integrators/sundials/context.hpp>
@@ -73,6 +73,8 @@ class SundialsStepper : public Formulation {
   /// The same where the dense output, whose derivative is `slope`, does not agree with the equations
   /// there, and in as many steps as it takes to keep the tolerances in sensible_weights_.
   void refine_event_if_rough(double t_limit, const double* slope);
+  /// Of an error, in units of the tolerances in sensible_weights_.
+  double norm_of(const double* error);
 
   /// SUNDIALS' user data is the stepper; `Derived` is what it was created as.
   template <class Derived>
@@ -106,7 +108,6 @@ class SundialsStepper : public Formulation {
 
  private:
   void refine_event(double t_limit, const OwnStep::Norm& norm);
-  double norm_of(const double* error);
   double time_to_root(int slot, const double* rate, double h);
 
   std::vector<double> shifted_, g_, refined_;  // scratch

@@ -117,6 +117,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("every_events", c.every_events);
   visit("baumgarte_rate", c.baumgarte_rate);
   visit("spectral_radius", c.spectral_radius);
+  visit("order", c.order);
   visit("linear_solver", c.linear_solver);
   visit("length_scale", c.scales.length);
   visit("time_scale", c.scales.time);

@@ -42,6 +42,7 @@ struct Checkpoint {
   long every_events = 0;
   double baumgarte_rate = 0.0;
   double spectral_radius = 0.0;
+  int order = 0;
   std::string linear_solver{};
   // Where it is.
   Scales scales;

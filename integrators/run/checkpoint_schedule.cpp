@@ -51,6 +51,7 @@ void RunCheckpoints::write(Checkpoint c, const Result& result) {
   c.every_events = options_.checkpoints.every_events;
   c.baumgarte_rate = options_.baumgarte_rate;
   c.spectral_radius = options_.spectral_radius;
+  c.order = options_.order;
   c.linear_solver = options_.linear_solver;
   c.next_time = next_time_;
   c.events_since = events_since_;
@@ -118,6 +119,7 @@ SimulationOptions options_of(const Checkpoint& c, const std::filesystem::path& f
           .time_scale = c.scales.time,
           .baumgarte_rate = c.baumgarte_rate,
           .spectral_radius = c.spectral_radius,
+          .order = c.order,
           .linear_solver = c.linear_solver,
           .checkpoints = {.folder = folder, .every = c.every, .every_events = c.every_events}};
 }

@@ -11,9 +11,10 @@ namespace yoke {
 
 namespace {
 
-constexpr double rise = 1e-6;      // of the largest so far, by which a peak must exceed it
-constexpr int place_bits = 20;     // of the length of a step; the peak is flat
-constexpr double overshoot = 0.5;  // of the change between looks, by which a peak may exceed them
+constexpr double rise = 1e-6;       // of the largest so far, by which a peak must exceed it
+constexpr int place_bits = 20;      // of the length of a step; the peak is flat
+constexpr double misjudged = 1e-3;  // relative, by a glance
+constexpr double overshoot = 0.5;   // of the change between looks, by which a peak may exceed them
 
 bool is_watched(const Channel& channel) {
   return channel.name == "normal_force" || channel.name == "penetration";
@@ -87,8 +88,11 @@ void ContactPeaks::find(double from, double to, System& system, Formulation& for
       const auto [s, negative] = boost::math::tools::brent_find_minima(
           [&](double x) { return -value_at(time(x), w, system, formulation, scratch); },
           part(at == 0 ? 0 : at - 1), part(std::min(at + 1, looks - 1)), place_bits, iterations);
-      if (-negative > w.largest * (1.0 + rise)) {
-        w.largest = -negative;
+      // The glance is good for the place; heights of peaks that hardly differ need a step.
+      if (-negative <= w.largest * (1.0 - misjudged)) continue;
+      formulation.interpolate(time(s), scratch);
+      if (const double peak = value_of(scratch, w, system); peak > w.largest * (1.0 + rise)) {
+        w.largest = peak;
         times.push_back(time(s));
       }
     }
@@ -101,12 +105,16 @@ double ContactPeaks::value(const Watched& w, const System& system) {
   return channels_[w.channel];
 }
 
+double ContactPeaks::value_of(const State& state, const Watched& w, System& system) {
+  system.set_motion(state.t, state.q.data(), state.v.data());
+  system.set_states(state.z.data());
+  return value(w, system);
+}
+
 double ContactPeaks::value_at(double t, const Watched& w, System& system, Formulation& formulation,
                               State& scratch) {
   formulation.glance(t, scratch);
-  system.set_motion(scratch.t, scratch.q.data(), scratch.v.data());
-  system.set_states(scratch.z.data());
-  return value(w, system);
+  return value_of(scratch, w, system);
 }
 
 }  // namespace yoke

@@ -39,6 +39,7 @@ class ContactPeaks {
   };
 
   double value(const Watched& w, const System& system);
+  double value_of(const State& state, const Watched& w, System& system);
   double value_at(double t, const Watched& w, System& system, Formulation& formulation,
                   State& scratch);
 

@@ -63,7 +63,7 @@ class SingularCrossing final : public Formulation {
   Step abandon_crossing(double t_stop);
   void record_crossed();
   void record_positions();
-  double propose(double rest) const;
+  double propose(double rest, double most) const;
   Step accept_segment();
   bool find_event(int& slot, double& t);
   void end_crossing();

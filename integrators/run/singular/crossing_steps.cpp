@@ -41,15 +41,16 @@ double SingularCrossing::allowed_energy_change(double energy) const {
          1e2 * tolerances_.energy;
 }
 
-// The length of the next step: the singular position, where it is expected, is to lie in the middle
-// or in another wide gap between stages.
-double SingularCrossing::propose(double rest) const {
-  double h = h_;
+// The length of the next step, at most `most`: the singular position, where it is expected, is to lie in
+// the middle or in another wide gap between stages.
+double SingularCrossing::propose(double rest, double most) const {
+  double h = std::min(h_, most);
   if (to_singular_ < 0.6 * h_) {
     for (const double gap : {0.5, 0.25, 0.12, 0.017}) {
-      h = to_singular_ / gap;
-      if (h > 0.4 * h_) break;
-      h = h_;
+      const double fitting = to_singular_ / gap;
+      if (fitting < 0.4 * h_ || fitting > most) continue;
+      h = fitting;
+      break;
     }
   } else if (to_singular_ < 2.0 * h_) {
     h = 0.5 * to_singular_;
@@ -73,11 +74,11 @@ bool SingularCrossing::try_step(double t_stop, double energy_before) {
   using Stages = GaussCollocation::Outcome;
   constexpr double shift[] = {1.0, 1.3, 0.77, 1.7, 0.6};  // to move stages off a singular position
   int closes = 0;
-  double last_error = far;
+  double last_error = far, most = far;
   const double closest = too_close * largest_;
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    const double rest = t_stop - t_, proposed = propose(rest);
-    const double h = closes == 0 ? proposed : std::min(proposed * shift[closes], rest);
+    const double rest = t_stop - t_, proposed = propose(rest, most);
+    const double h = std::min({proposed * shift[closes], rest, most});
     const bool last = h == rest;
     for (GaussCollocation::Segment* s : {&trial_, &segment_}) {
       s->t = t_;
@@ -85,7 +86,7 @@ bool SingularCrossing::try_step(double t_stop, double energy_before) {
       s->begin = y;
     }
     Stages outcome = check_.step(trial_, a.data(), closest, last);
-    if (outcome == Stages::solved) outcome = gauss_.step(segment_, a.data(), closest, last);
+    if (outcome == Stages::solved) outcome = gauss_.step(segment_, check_, trial_, closest, last);
     if (outcome == Stages::close && ++closes < static_cast<int>(std::size(shift))) continue;
     if (outcome != Stages::solved) {
       closes = 0;
@@ -107,7 +108,8 @@ bool SingularCrossing::try_step(double t_stop, double energy_before) {
     const bool unbearable = !collapses && error > bearable;
     if (error > 1.0 && h > shortest && (error < 0.5 * last_error || unbearable)) {
       last_error = error;
-      h_ = std::max(factor * h, shortest);
+      h_ = most = std::max(factor * h, shortest);
+      closes = 0;
       ++own_.rejected;
       continue;
     }

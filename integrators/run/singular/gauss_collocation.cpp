@@ -12,17 +12,18 @@ namespace yoke {
 
 namespace {
 constexpr int max_iterations = 40;
-constexpr double converged = 1e-4;       // of the error weights
 constexpr double rounding_noise = 1e-6;  // near a singular position, in length scales or rad
 }  // namespace
 
-GaussCollocation::GaussCollocation(Dynamics& dynamics, const Tolerances& tolerances, int stages)
+GaussCollocation::GaussCollocation(Dynamics& dynamics, const Tolerances& tolerances, int stages,
+                                   double converged)
     : dynamics_(dynamics),
       n_(dynamics.system().dofs()),
       nz_(dynamics.system().states()),
       quadratures_(dynamics.system().quadratures()),
       size_(2 * n_ + nz_ + quadratures_),
       stages_(stages),
+      converged_(converged),
       node_(stages),
       weight_(Eigen::VectorXd::Zero(stages)),
       a_(Eigen::MatrixXd::Zero(stages, stages)),
@@ -97,22 +98,36 @@ GaussCollocation::Outcome GaussCollocation::calc_rates(double t, double* y, doub
 
 GaussCollocation::Outcome GaussCollocation::step(Segment& s, const double* a, double too_close,
                                                  bool end_is_free) {
-  s.least = 1.0;
-  const auto n = static_cast<std::size_t>(n_), stages = static_cast<std::size_t>(stages_);
-  const auto time = [&](std::size_t i) { return s.t + node_[static_cast<Eigen::Index>(i)] * s.h; };
-  for (std::size_t i = 0; i < stages; ++i) {
-    const double x = time(i) - s.t;
+  const auto n = static_cast<std::size_t>(n_);
+  for (std::size_t i = 0; i < stage_.size(); ++i) {
+    const double x = time(s, i) - s.t;
     stage_[i] = s.begin;
     for (std::size_t k = 0; k < n; ++k) {
       stage_[i][k] += x * (s.begin[n + k] + 0.5 * x * a[k]);
       stage_[i][n + k] += x * a[k];
     }
   }
+  return iterate(s, too_close, end_is_free);
+}
+
+GaussCollocation::Outcome GaussCollocation::step(Segment& s, const GaussCollocation& other,
+                                                 const Segment& found, double too_close,
+                                                 bool end_is_free) {
+  for (std::size_t i = 0; i < stage_.size(); ++i)
+    other.interpolate(found, time(s, i), stage_[i].data());
+  return iterate(s, too_close, end_is_free);
+}
+
+// Fixed-point iteration from stage_.
+GaussCollocation::Outcome GaussCollocation::iterate(Segment& s, double too_close,
+                                                    bool end_is_free) {
+  s.least = 1.0;
+  const std::size_t stages = stage_.size();
   double last = 0.0;
   for (int iteration = 0;; ++iteration) {
     for (std::size_t i = 0; i < stages; ++i)
       if (const Outcome outcome =
-              calc_rates(time(i), stage_[i].data(), s.rates[i].data(), too_close, s.least);
+              calc_rates(time(s, i), stage_[i].data(), s.rates[i].data(), too_close, s.least);
           outcome != Outcome::solved)
         return outcome;
     double change = 0.0;
@@ -128,7 +143,7 @@ GaussCollocation::Outcome GaussCollocation::step(Segment& s, const double* a, do
     }
     if (!std::isfinite(change)) return Outcome::diverged;
     if (iteration == 0) continue;
-    if (change < converged) break;
+    if (change < converged_) break;
     // Rounding, mostly across the motion, where the projection takes it away; or no convergence.
     if (iteration > 3 && change > 0.5 * last) {
       if (change < noise_) break;

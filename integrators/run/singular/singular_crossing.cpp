@@ -32,8 +32,8 @@ SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dyna
       tolerances_(tolerances),
       record_(std::move(record)),
       inner_(entry.make(dynamics, tolerances)),
-      gauss_(dynamics, tolerances, 6),
-      check_(dynamics, tolerances, 4),
+      gauss_(dynamics, tolerances, 6, 1e-4),
+      check_(dynamics, tolerances, 4, 1e-2),  // only judges
       guard_(dynamics),
       watches_(has_closed_loops(dynamics.system())),
       is_work_(dynamics.system().quadratures_of_work()),

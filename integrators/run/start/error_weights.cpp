@@ -71,6 +71,7 @@ Tolerances choose_tolerances(const System& system, const SimulationOptions& opti
   // gain well below what an explicit step bears.
   tolerances.natural_rate = std::pow(rtol, -0.1) / scales.time;
   tolerances.spectral_radius = options.spectral_radius;
+  tolerances.order = options.order;
   return tolerances;
 }
 

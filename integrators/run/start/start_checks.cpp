@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <yoke/core/equations/linear/linear_solver.hpp>
+#include <yoke/integrators/formulations/explicit/explicit_pairs.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
 
@@ -38,6 +39,16 @@ void check_checkpoints(const Checkpoints& c) {
                     c.folder.string()));
 }
 
+void check_order(int order) {
+  if (order == 0) return;
+  std::string known = "0 (what costs less)";
+  for (const ExplicitPair& pair : explicit_pairs()) {
+    if (pair.order == order) return;
+    known += fmt::format(", {}", pair.order);
+  }
+  throw ModelError(fmt::format("simulation: order = {} must be one of {}", order, known));
+}
+
 }  // namespace
 
 void check_options(const SimulationOptions& options, double t_start) {
@@ -47,6 +58,7 @@ void check_options(const SimulationOptions& options, double t_start) {
                                  options.until, t_start));
   require_range("simulation", "relative_tolerance", options.relative_tolerance, 1e-13, 1e-2);
   require_range("simulation", "spectral_radius", options.spectral_radius, 0.0, 0.999);
+  check_order(options.order);
   linear_solver_named(options.linear_solver);
   if (options.samples != 0 && options.samples < 2)
     throw ModelError(
@@ -107,6 +119,7 @@ void check_checkpoint(const Model& model, const SimulationOptions& options, cons
   same("until", options.until, c.until);
   same("relative_tolerance", options.relative_tolerance, c.relative_tolerance);
   if (options.formulation != "automatic") same("formulation", options.formulation, c.formulation);
+  same("order", options.order, c.order);
   same("linear_solver", options.linear_solver, c.linear_solver);
   same("samples", options.samples, c.samples);
   same("contact_rows", options.contact_rows, c.contact_rows);

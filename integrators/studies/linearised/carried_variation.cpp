@@ -176,6 +176,13 @@ void CarriedVariation::step(Formulation& formulation, const State& memory, doubl
                             bool at_event) {
   if (!(t > t_)) return;
   refuse_grips(memory);
+  while (pause > t_ && pause < t) go_to(pause, formulation, memory, false);
+  go_to(t, formulation, memory, at_event);
+}
+
+// Within a step of the run, or to its end.
+void CarriedVariation::go_to(double t, Formulation& formulation, const State& memory,
+                             bool at_event) {
   advance(formulation, memory, {.from = t_, .to = t, .begins = jumped_, .ends = at_event});
   t_ = t;
   jumped_ = false;

@@ -20,6 +20,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ class CarriedVariation final : public RunWatch {
   std::function<void(CarriedVariation&, const State&)> at_start{};
   /// Called at the end of each step, where y and m may be changed.
   std::function<void(CarriedVariation&)> at_step{};
+  /// [s] at_step is called there too, although the run makes no step to there.
+  double pause = std::numeric_limits<double>::infinity();
 
   double time() const { return t_; }
   Matrix y, m;  // [2 f + nz], [numbers], by columns
@@ -98,6 +101,7 @@ class CarriedVariation final : public RunWatch {
     double time(double s) const;
     double rate(double s) const;
   };
+  void go_to(double t, Formulation& formulation, const State& memory, bool at_event);
   void advance(Formulation& formulation, const State& memory, const Pace& pace);
   void collocate(Formulation& formulation, const State& memory, const Pace& pace, double from,
                  double h, bool stiff, const Stage* middle);

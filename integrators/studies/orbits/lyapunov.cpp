@@ -26,8 +26,9 @@ class Growth {
       : begin_(start + options.transient),
         interval_(options.interval > 0.0 ? options.interval
                                          : share_of_run * (options.until - start)),
-        next_(start + interval_) {
-    if (begin_ > start) next_ = std::min(next_, begin_);
+        end_(options.until),
+        next_(start) {
+    plan(start);
   }
 
   /// At the start: directions of which none is special.
@@ -36,23 +37,29 @@ class Growth {
       for (Eigen::Index i = 0; i < variation.y.rows(); ++i)
         variation.y(i, j) += 0.5 * std::cos(1.0 + 0.7 * static_cast<double>((i + 2) * (j + 3)));
     orthonormalise(variation);
+    variation.pause = next_;
     if (variation.time() >= begin_) count(variation, Vector::Zero(variation.y.cols()));
   }
 
   void at(CarriedVariation& variation) {
     if (variation.time() < next_) return;
     const Vector grown = orthonormalise(variation);
-    next_ = variation.time() + interval_;
+    plan(variation.time());
+    variation.pause = next_;
     if (variation.time() >= begin_)
       count(variation,
             times_.empty() ? Vector(Vector::Zero(grown.size())) : Vector(sums_.back() + grown));
-    else
-      next_ = std::min(next_, begin_);
   }
 
   void write(Lyapunov& result) const;
 
  private:
+  /// The next end of an interval [s]: those behind the transient count from its end.
+  void plan(double now) {
+    next_ = now + interval_;
+    if (now < begin_) next_ = std::min(next_, begin_);
+    if (std::abs(next_ - end_) < 1e-6 * interval_) next_ = end_;
+  }
   Vector orthonormalise(CarriedVariation& variation) const;
   void count(const CarriedVariation& variation, Vector sum) {
     if (times_.empty()) trace_begin_ = variation.growth_of_volume();
@@ -61,7 +68,7 @@ class Growth {
     sums_.push_back(std::move(sum));
   }
 
-  double begin_, interval_, next_;
+  double begin_, interval_, end_, next_;
   std::vector<double> times_;
   std::vector<Vector> sums_;  // of logarithms, since the first time
   double trace_begin_ = 0.0, trace_end_ = 0.0;

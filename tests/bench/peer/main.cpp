@@ -16,6 +16,7 @@
 
 #include <yoke/tests/bench/chain.hpp>
 #include <yoke/tests/bench/peer/problems.hpp>
+#include <yoke/tests/bench/work_precision.hpp>
 
 namespace {
 
@@ -84,20 +85,11 @@ std::vector<Curve> measure(const Problem& problem, int rounds) {
   return curves;
 }
 
-/// [s] In which a program gets down to an error: the least between neighbouring accuracies, both axes
-/// logarithmic; nan if it does not.
+/// [s] In which a program gets down to an error; nan if it does not.
 double time_at(const Curve& curve, double error) {
-  double best = std::numeric_limits<double>::quiet_NaN();
-  const auto take = [&](double time) { best = std::isnan(best) ? time : std::min(best, time); };
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i].error <= error) take(curve[i].time());
-    if (i == 0) continue;
-    const Point &a = curve[i - 1], &b = curve[i];
-    if ((a.error - error) * (b.error - error) >= 0.0) continue;
-    const double s = std::log(error / a.error) / std::log(b.error / a.error);
-    take(std::exp((1.0 - s) * std::log(a.time()) + s * std::log(b.time())));
-  }
-  return best;
+  std::vector<WorkPoint> points;
+  for (const Point& p : curve) points.push_back({.error = p.error, .work = p.time()});
+  return work_at(points, error);
 }
 
 std::string milliseconds(double seconds) { return fmt::format("{:.3g}", 1e3 * seconds); }

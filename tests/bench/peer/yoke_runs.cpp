@@ -5,13 +5,9 @@
 #include <string>
 
 #include <yoke/cases/n_four_bar.hpp>
-#include <yoke/contact/disc_on_curve.hpp>
-#include <yoke/contact/laws/dissipative/hunt_crossley.hpp>
-#include <yoke/contact/laws/elastic/power_law.hpp>
-#include <yoke/core/curves/lines_and_arcs.hpp>
 #include <yoke/tests/bench/chain.hpp>
 #include <yoke/tests/bench/peer/problems.hpp>
-#include <yoke/tests/integrators/mechanisms.hpp>
+#include <yoke/tests/integrators/problems.hpp>
 
 namespace yoke::bench::peer {
 
@@ -32,20 +28,8 @@ Trajectory run_yoke(const Model& model, double end, double accuracy, Take take) 
 }  // namespace
 
 Trajectory yoke_chain(int links, double accuracy) {
-  Model model;
-  BodyId last = ground;
-  for (int i = 0; i < links; ++i) {
-    const BodyId link = model.add(Body{.name = "link " + std::to_string(i),
-                                       .mass = 1.0,
-                                       .inertia = 1.0 / 12.0,
-                                       .pose = {{i + 0.5, 0.0}, 0.0}});
-    model.add(
-        Revolute{.name = "joint " + std::to_string(i), .a = last, .b = link, .at = Vec2(i, 0.0)});
-    last = link;
-  }
-  model.add(Gravity{});
   return run_yoke(
-      model, chain_end, accuracy,
+      tests::horizontal_chain(links), chain_end, accuracy,
       [](const Table& rows, std::size_t i, std::vector<double>& values) {
         const std::size_t y = rows.index("link 0.y_m");
         const std::size_t angle = rows.index("link 0.angle_rad");
@@ -78,18 +62,12 @@ Trajectory yoke_scotch_yoke(double accuracy) {
 
 Trajectory yoke_disc(double accuracy) {
   namespace d = disc_data;
-  Model model;
-  const Vec2 start(0.0, d::height);
-  const BodyId disc = model.add(Body{.name = "disc",
-                                     .mass = d::mass,
-                                     .inertia = 0.5 * d::mass * d::radius * d::radius,
-                                     .pose = {start, 0.0}});
-  model.add(Gravity{.acceleration = {0.0, -d::gravity}});
-  model.add(DiscOnCurve{.name = "floor",
-                        .disc = {disc, start, d::radius},
-                        .body = ground,
-                        .curve = straight_line({0.0, 0.0}, {1.0, 0.0}),
-                        .law = {PowerLaw{d::stiffness, 1.5}, HuntCrossley{d::alpha}}});
+  const Model model = tests::bouncing_disc({.height = d::height,
+                                            .radius = d::radius,
+                                            .mass = d::mass,
+                                            .gravity = d::gravity,
+                                            .stiffness = d::stiffness,
+                                            .alpha = d::alpha});
   return run_yoke(model, d::end, accuracy,
                   [](const Table& rows, std::size_t i, std::vector<double>& values) {
                     values.push_back(rows.value(i, rows.index("disc.y_m")));

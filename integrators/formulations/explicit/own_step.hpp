@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright 2026 the Yoke authors
 //
-// Steps beside those of an integrator: from where its last step began to a time within it, by the
-// explicit Runge-Kutta method of Dormand and Prince, order 5(4). Dense output is less accurate than
-// steps, and where the step passes over an event, it is a polynomial through what lies on both
-// sides: a law like d^1.1 ends at zero with a corner in its higher derivatives.
+// Steps beside those of an integrator: from where its last step began to a time within it, by an
+// explicit Runge-Kutta method. Dense output is less accurate than steps, and where the step passes
+// over an event, it is a polynomial through what lies on both sides: a law like d^1.1 ends at zero
+// with a corner in its higher derivatives.
 #pragma once
 
 #include <functional>
 #include <vector>
 
-struct ARKodeButcherTableMem;  // of SUNDIALS
+#include <yoke/integrators/formulations/explicit/explicit_pairs.hpp>
 
 namespace yoke {
 
@@ -21,10 +21,10 @@ class OwnStep {
   /// An error in units of what is allowed.
   using Norm = std::function<double(const double* error)>;
 
+  /// Of order 5 until another pair is asked for.
   OwnStep(int size, Rates rates);
-  ~OwnStep();
-  OwnStep(const OwnStep&) = delete;
-  OwnStep& operator=(const OwnStep&) = delete;
+  /// Steps of another pair; from() is to be called again.
+  void use(const ExplicitPair& pair);
 
   /// Where steps begin; y is not copied.
   void from(double t, const double* y);
@@ -34,17 +34,18 @@ class OwnStep {
   bool to(double t, double* y, const Norm& norm);
   /// y' at the end of to(); null if it fails.
   const double* rate(double t, const double* y);
+  /// The error of the step that to(t, y) made; infinite if the rates fail.
+  double error(double t, const double* y, const Norm& norm);
 
  private:
-  bool calc_stages(double t);
+  bool calc_stages(int first, int last, double h);
   void combine(const double* weights, int count, double h, double* y) const;
-  double error_of_step(double h, const Norm& norm);
 
   Rates rates_;
-  ARKodeButcherTableMem* table_;
-  int stages_;                          // without the last one, which is the first of the next step
+  const ExplicitPair* pair_ = nullptr;
+  std::size_t size_;
   std::vector<std::vector<double>> k_;  // rates of the stages
-  std::vector<double> stage_, start_;
+  std::vector<double> end_rate_, stage_, start_;
   const double* y_ = nullptr;
   double t_ = 0.0;
   bool first_known_ = false, last_known_ = false;
