@@ -18,8 +18,8 @@ namespace yoke {
 struct RankAnalysis {
   int rank = 0;
   /// Rows to be left out so that the others are independent: those added later, unless what is then
-  /// left were badly conditioned (an equation less than a tenth its own is left out first, if the
-  /// rank allows). Latest first.
+  /// left were badly conditioned: an equation less than a tenth its own is left out first, if the
+  /// rank allows, and instead of one that makes the others ten times as independent. Latest first.
   std::vector<int> dependent;
   /// Columns u [rows] with G^T u = 0, one for each dependent row, the largest entry (in the
   /// normalised equations) 1. A row with a zero in all of them has a unique multiplier.

@@ -113,7 +113,7 @@ Redundancy analyse_redundancy(System& system, const State& state) {
   mark_doubts(system, result.here, marks_here);
 
   const int mobility = system.dofs() - analyse_rank(system, drivers).rank;
-  LeastChange nearby(system, metric_of_masses(system), {}, drivers);
+  LeastChange nearby(system, metric_of_lengths(system), {}, drivers);
   std::mt19937_64 random(20050104);
   bool has_moved = false;
   for (int i = 0; i < tries && mobility > 0; ++i) {

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include <yoke/contact/geometry/arc_slot.hpp>
+#include <yoke/contact/laws/friction/coulomb.hpp>
+#include <yoke/contact/laws/friction/regularised_coulomb.hpp>
 #include <yoke/contact/pin_in_slot.hpp>
 #include <yoke/joints/distance.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
@@ -118,12 +120,22 @@ class Builder {
     return body == 0 ? 0.0 : d_.bodies[static_cast<std::size_t>(body) - 1].angle;
   }
 
+  std::optional<PinFriction> friction(const JointData& j) const {
+    if (!(j.friction > 0.0)) return std::nullopt;
+    PinFriction friction{.law = Coulomb{j.friction, 1.2 * j.friction},
+                         .radius = j.radius * u_.length,
+                         .reference_force = u_.force()};
+    if (j.threshold > 0.0) friction.law = RegularisedCoulomb{j.friction, j.threshold * u_.speed()};
+    return friction;
+  }
+
   void add(const JointData& j) {
     const BodyId a = id(j.a), b = id(j.b);
     const Vec2 at = j.at * u_.length, other = j.other * u_.length;
     switch (j.kind) {
       case JointKind::revolute:
-        return m_.add(Revolute{.name = j.name, .a = a, .b = b, .at = at});
+        return m_.add(Revolute{
+            .name = j.name, .a = a, .b = b, .at = at, .clearance = {}, .friction = friction(j)});
       case JointKind::prismatic:
         return m_.add(Prismatic{.name = j.name, .a = a, .b = b, .along = j.along});
       case JointKind::weld:

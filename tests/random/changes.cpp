@@ -112,6 +112,7 @@ void add_bystanders(Description& d, Random& r) {
   for (int i = 0; i < count; ++i) {
     // Where the others are and as fast, so that length and time scales change little.
     const BodyData& like = d.bodies[static_cast<std::size_t>(r.below(static_cast<int>(own)))];
+    if (like.mass == 0.0 || like.inertia == 0.0) continue;
     BodyData b = like;
     b.name = fmt::format("bystander{}", i);
     b.at += 0.1 * d.size * r.in_circle();

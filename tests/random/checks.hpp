@@ -32,8 +32,9 @@
 // tightest tolerance accepted must be reached, and shows the error of the first run.
 //
 // A run that ends for a good reason is no fault but counted: a driver at a dead point (the smallest
-// singular value of the constraints, relative to that at the start, is below 1e-2), a contact law
-// at the end of its range, a run of more steps than we want to wait for.
+// singular value of the constraints, relative to that at the start, is below 1e-2, or 5e-2 where the
+// run names a dead point), a contact law at the end of its range, a run of more steps than we want to
+// wait for.
 #pragma once
 
 #include <cstdint>

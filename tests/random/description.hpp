@@ -49,13 +49,16 @@ enum class JointKind {
 struct JointData {
   JointKind kind = JointKind::revolute;
   std::string name;
-  int a = 0, b = 0;      // drivers: b is driven relative to a
-  int carrier = 0;       // gear
-  Vec2 at{0.0, 0.0};     // the pin, the point on the line, the end on a, the driven point
-  Vec2 other{0.0, 0.0};  // distance: the end on b; point on line: a point of the line
-  Vec2 along{1.0, 0.0};  // prismatic, point on line, displacement driver
-  double ratio = 1.0;    // gear
-  Wave wave{};           // drivers
+  int a = 0, b = 0;        // drivers: b is driven relative to a
+  int carrier = 0;         // gear
+  Vec2 at{0.0, 0.0};       // the pin, the point on the line, the end on a, the driven point
+  Vec2 other{0.0, 0.0};    // distance: the end on b; point on line: a point of the line
+  Vec2 along{1.0, 0.0};    // prismatic, point on line, displacement driver
+  double ratio = 1.0;      // gear
+  Wave wave{};             // drivers
+  double friction = 0.0;   // revolute: coefficient; 0: none
+  double radius = 0.0;     // [m] of the pin
+  double threshold = 0.0;  // [m/s] of regularised friction; 0: Coulomb's
 };
 
 enum class ForceKind { gravity, spring, torsion, load, torque, drag };

@@ -44,6 +44,11 @@ class Generator {
     if (d_.family != "change-point") loads();
     if (slots)
       for (int n = r_.among(1, 2); n > 0; --n) slot();
+    // Where a change point lets reactions grow without bound, pins with friction wedge.
+    if (d_.seed >= second_series && d_.family != "change-point") {
+      if (d_.family != "tree") light_rods();
+      friction();
+    }
     return std::move(d_);
   }
 
@@ -199,6 +204,37 @@ class Generator {
         if (j.carrier == a || j.carrier == b) continue;
       }
       if (keep(j, any)) --joints;
+    }
+  }
+
+  /// Rods on two pins in place of a constraint of their length: without mass, or with a mass but next
+  /// to no own inertia.
+  void light_rods() {
+    for (int n = r_.among(0, 2); n > 0; --n) {
+      const auto bodies = pair();
+      if (!bodies) return;
+      const JointData length = joint(JointKind::distance, bodies->first, bodies->second);
+      if (!keep(length, false)) continue;
+      d_.joints.pop_back();
+      BodyData rod = body(0.5 * (length.at + length.other), 1);
+      if (r_.chance(0.7)) rod.mass = 0.0;
+      rod.inertia = 0.0;
+      d_.bodies.push_back(rod);
+      for (const auto& [to, at] :
+           {std::pair(length.a, length.at), std::pair(length.b, length.other)}) {
+        JointData pin = joint(JointKind::revolute, to, count());
+        pin.at = at;
+        d_.joints.push_back(pin);
+      }
+    }
+  }
+
+  void friction() {
+    for (JointData& j : d_.joints) {
+      if (j.kind != JointKind::revolute || !r_.chance(0.25)) continue;
+      j.friction = r_.between(0.02, 0.4);
+      j.radius = d_.size * r_.between(0.01, 0.1);
+      if (r_.chance(0.5)) j.threshold = d_.size * r_.between(0.003, 0.03);
     }
   }
 

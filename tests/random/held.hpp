@@ -43,6 +43,7 @@ class HeldTogether {
 
 inline Description make_held(Description d) {
   std::erase_if(d.joints, is_driver);
+  for (JointData& j : d.joints) j.friction = 0.0;  // what holds may hold anywhere
   std::erase_if(d.forces, [](const ForceData& f) {
     return f.kind == ForceKind::load || f.kind == ForceKind::torque || f.kind == ForceKind::drag;
   });

@@ -54,11 +54,22 @@ class Printer {
     return fmt::format(".name = \"{}\", .a = {}, .b = {}", name, id(a), id(b));
   }
 
+  static std::string friction(const JointData& j) {
+    if (!(j.friction > 0.0)) return "";
+    const std::string law =
+        j.threshold > 0.0
+            ? fmt::format("RegularisedCoulomb{{{}, {}}}", number(j.friction), number(j.threshold))
+            : fmt::format("Coulomb{{{}, {}}}", number(j.friction), number(1.2 * j.friction));
+    return fmt::format(", .friction = PinFriction{{.law = {}, .radius = {}}}", law,
+                       number(j.radius));
+  }
+
   void joint(const JointData& j) {
     const std::string both = ends(j.name, j.a, j.b);
     switch (j.kind) {
       case JointKind::revolute:
-        return line(fmt::format("m.add(Revolute{{{}, .at = {}}});", both, point(j.at)));
+        return line(
+            fmt::format("m.add(Revolute{{{}, .at = {}{}}});", both, point(j.at), friction(j)));
       case JointKind::prismatic:
         return line(fmt::format("m.add(Prismatic{{{}, .along = {}}});", both, point(j.along)));
       case JointKind::weld:

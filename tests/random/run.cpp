@@ -89,7 +89,8 @@ void measure_energy(const Description& original, Run& run) {
   // Work and dissipation are integrated with a weight of their own.
   const bool integrals =
       !original.slots.empty() ||
-      std::ranges::any_of(original.joints, [](const JointData& j) { return is_driver(j); }) ||
+      std::ranges::any_of(original.joints,
+                          [](const JointData& j) { return is_driver(j) || j.friction > 0.0; }) ||
       std::ranges::any_of(original.forces, [](const ForceData& f) {
         return f.damping > 0.0 || f.kind == ForceKind::load || f.kind == ForceKind::torque;
       });

@@ -92,6 +92,7 @@ class SingularCrossing final : public Formulation {
   double m_ = 1.0, largest_ = 0.0;  // independence there and the largest seen
   double t_m_ = 0.0, m_before_ = 1.0, dt_ = 1.0;
   bool has_before_ = false;
+  bool passed_ = false;    // has a step been taken back that had passed it? inside_ is there
   double hold_off_ = 2.0;  // enter only below this: what has proved to be harmless is above
 
   bool crossing_ = false, entering_ = false, leaving_ = false;

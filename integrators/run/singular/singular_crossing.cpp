@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <yoke/core/equations/least_change.hpp>
 #include <yoke/integrators/run/singular/closed_loops.hpp>
 #include <yoke/integrators/run/singular/crossing.hpp>
 
@@ -125,7 +126,8 @@ Step SingularCrossing::step_inside(double t_stop, bool looks) {
   const Step step = inner_->step(t_stop);
   if (step != Step::failed) {
     inner_->interpolate(inner_->time(), next_);
-    if (looks && watches_ && has_passed()) {
+    passed_ = looks && watches_ && has_passed();
+    if (passed_) {
       entering_ = true;
       return Step::failed;
     }
@@ -187,7 +189,7 @@ bool SingularCrossing::has_passed() {
 }
 
 // The least independence between a and b, which enclose it, by golden section: is it one to stay
-// away from?
+// away from? Then inside_ is there.
 bool SingularCrossing::is_minimum_near(double a, double middle, double b) {
   constexpr double golden = 0.3819660112501051;
   constexpr int golden_steps = 30;
@@ -204,10 +206,12 @@ bool SingularCrossing::is_minimum_near(double a, double middle, double b) {
       (left ? a : b) = next;
     }
   }
+  if (least < bound) inner_->glance(middle, inside_);
   return least < bound;
 }
 
 void SingularCrossing::watch() {
+  passed_ = false;
   const double t = here_.t, m = dynamics_.independence(t, here_.q.data());
   has_before_ = t > t_m_;
   m_before_ = m_;
@@ -232,20 +236,26 @@ void SingularCrossing::check_redundant(double t, const double* q) {
 bool SingularCrossing::choose_other_rows() {
   System& system = dynamics_.system();
   if (system.left_out_rows().empty()) return false;
-  // Where it is going: on the spot the choice that is about to fail still looks good.
-  const double s = std::sqrt(m_), rate = (s - std::sqrt(m_before_));
-  const double ahead = rate < 0.0 ? s / -rate * std::max(inner_->last_step(), 0.0) : 0.0;
   std::vector<double> phi(static_cast<std::size_t>(system.rows()));
   const std::vector<int> before = system.left_out_rows();
+  LeastChange nearest(system, metric_of_lengths(system));
   RankAnalysis analysis;
-  bool other = false;
-  for (const double way : {1.0, 2.0, 0.0}) {
-    const Eigen::VectorXd q = here_.q + std::min(way * ahead, system.scales().time) * here_.v;
-    system.set_motion(here_.t, q.data(), here_.v.data());
+  // Off the constraints equations that say the same are independent.
+  const auto finds_others = [&](double t, Eigen::VectorXd q) {
+    if (!nearest.solve_positions(t, q.data())) return false;
+    system.set_motion(t, q.data(), here_.v.data());
     system.calc_position_level(phi.data());
     analysis = analyse_rank(system);
-    other = analysis.dependent.size() == before.size() && analysis.dependent != before;
-    if (other) break;
+    return analysis.dependent.size() == before.size() && analysis.dependent != before;
+  };
+  // Where it was in the step taken back, or where it is going: on the spot the choice that is about
+  // to fail still looks good.
+  const double s = std::sqrt(m_), rate = (s - std::sqrt(m_before_));
+  const double ahead = rate < 0.0 ? s / -rate * std::max(inner_->last_step(), 0.0) : 0.0;
+  bool other = passed_ && finds_others(inside_.t, inside_.q);
+  for (const double way : {1.0, 0.75, 1.25, 0.5, 1.5, 2.0, 0.0}) {
+    const double later = std::min(way * ahead, system.scales().time);
+    other = other || finds_others(here_.t + later, here_.q + later * here_.v);
   }
   dynamics_.leave_out({});  // the blocks of G have changed under the factors
   dynamics_.leave_out(other ? analysis.dependent : before);

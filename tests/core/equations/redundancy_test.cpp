@@ -9,9 +9,11 @@
 #include <string>
 
 #include <yoke/core/equations/dynamics.hpp>
+#include <yoke/joints/distance.hpp>
 #include <yoke/joints/drivers/angle_driver.hpp>
 #include <yoke/joints/forces/applied_force.hpp>
 #include <yoke/joints/forces/gravity.hpp>
+#include <yoke/joints/point_on_line.hpp>
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/joints/revolute.hpp>
 #include <yoke/tests/messages.hpp>
@@ -125,6 +127,57 @@ TEST_CASE("two guides in line share the load; the split is in doubt, the sum is 
       column_names(dynamics.system(), dynamics.redundancy().doubts);
   CHECK(doubtful ==
         std::vector<std::string>{"left.fy_N", "left.moment_N_m", "right.fy_N", "right.moment_N_m"});
+}
+
+TEST_CASE("a way that only a heavy body can go is found beside light ones that cannot move") {
+  // Pins twice over tie the light plate to the wheel; a rod at a short lever holds the wheel's light
+  // link. Found by the random mechanisms (20022).
+  Model m;
+  const BodyId wheel =
+      m.add({.name = "wheel", .mass = 7.7e6, .inertia = 62000.0, .pose = {{0.067, -0.33}, 0.0}});
+  const BodyId plate =
+      m.add({.name = "plate", .mass = 3.9, .inertia = 0.12, .pose = {{0.22, -0.065}, 0.0}});
+  const BodyId link =
+      m.add({.name = "link", .mass = 7.4, .inertia = 0.041, .pose = {{0.24, -0.7}, 0.0}});
+  m.add(Prismatic{.name = "guide", .a = wheel, .b = plate, .along = {-0.91, -0.42}});
+  m.add(Revolute{.name = "hinge", .a = wheel, .b = link, .at = {0.18, -0.43}});
+  m.add(PointOnLine{.name = "line",
+                    .a = link,
+                    .at = {0.29, -0.63},
+                    .b = ground,
+                    .through = {0.31, -0.52},
+                    .along = {-0.21, -0.98}});
+  m.add(
+      Distance{.name = "rod", .a = link, .b = wheel, .at_a = {0.29, -0.77}, .at_b = {0.1, -0.37}});
+  m.add(Revolute{.name = "pin", .a = wheel, .b = plate, .at = {0.16, -0.24}});
+  Dynamics dynamics(m);
+  State state = m.start_state();
+  const Outcome outcome = dynamics.assemble(state);
+  INFO(outcome.why);
+  CHECK(outcome);
+}
+
+TEST_CASE("the equation left out is the one that says least of its own, whatever others say") {
+  // The guide's normal is turned by 0.03 rad from the x axis, so that it says nearly what the pin says
+  // of x. The rod beside has a lever of 0.04 m only: what is nearly dependent there does not matter.
+  Model m;
+  const BodyId wheel = add_rod(m, "wheel", {0.0, 0.0}, {1.0, 0.0});
+  const BodyId plate = add_rod(m, "plate", {0.3, 0.2}, {0.5, 0.2});
+  const BodyId lever = add_rod(m, "lever", {2.0, 0.0}, {3.0, 0.0});
+  m.add(Revolute{.name = "axle", .a = ground, .b = wheel, .at = {0.0, 0.0}});
+  m.add(Prismatic{.name = "guide",
+                  .a = wheel,
+                  .b = plate,
+                  .along = rotate(0.03, Vec2(0.0, 1.0)),
+                  .at = Vec2(0.4, 0.1)});
+  m.add(Revolute{.name = "pin", .a = wheel, .b = plate, .at = {0.4, 0.1}});
+  m.add(Revolute{.name = "foot", .a = ground, .b = lever, .at = {2.0, 0.0}});
+  m.add(Distance{.name = "rod", .a = ground, .b = lever, .at_a = {4.0, 0.04}, .at_b = {3.0, 0.0}});
+  Dynamics dynamics(m);
+  State state = m.start_state();
+  REQUIRE(dynamics.assemble(state));
+  CHECK(names(dynamics.system(), dynamics.redundancy().here.dependent) ==
+        std::vector<std::string>{"pin: x"});
 }
 
 TEST_CASE("a crank that agrees at the start pose only is in conflict and named") {
