@@ -123,6 +123,7 @@ class Judge {
     }
     if (!r.ok()) {
       if (r.summary.reason.find("where the law") != std::string::npos) return ends("law limit");
+      if (r.summary.reason.find("wedges") != std::string::npos) return ends("wedged");
       const double left = independence(c, r.end, r.length);
       const double bound = r.summary.reason.starts_with("dead point") ? nearly_singular : singular;
       if (left < bound && std::ranges::any_of(c.d.joints, is_driver)) return ends("dead point");

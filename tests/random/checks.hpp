@@ -33,8 +33,8 @@
 //
 // A run that ends for a good reason is no fault but counted: a driver at a dead point (the smallest
 // singular value of the constraints, relative to that at the start, is below 1e-2, or 5e-2 where the
-// run names a dead point), a contact law at the end of its range, a run of more steps than we want to
-// wait for.
+// run names a dead point), a contact law at the end of its range, friction of a joint that wedges, a
+// run of more steps than we want to wait for.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +60,7 @@ struct Fault {
 
 struct Verdict {
   std::uint64_t seed = 0;
-  std::string outcome = "ok";  // or sensitive, dead point, law limit, long, refused, failed
+  std::string outcome = "ok";  // or sensitive, dead point, law limit, wedged, long, refused, failed
   std::vector<Fault> faults;
   long steps = 0;                          // of the first run
   double seconds = 0.0;                    // of processor and waiting, all checks

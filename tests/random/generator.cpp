@@ -207,8 +207,8 @@ class Generator {
     }
   }
 
-  /// Rods on two pins in place of a constraint of their length: without mass, or with a mass but next
-  /// to no own inertia.
+  /// Rods on two pins in place of a constraint of their length: without mass, or without inertia of
+  /// their own.
   void light_rods() {
     for (int n = r_.among(0, 2); n > 0; --n) {
       const auto bodies = pair();
