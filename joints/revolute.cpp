@@ -13,7 +13,7 @@
 namespace yoke {
 namespace {
 
-class RevoluteConstraint final : public Constraint {
+class RevoluteConstraint final : public Constraint, public CurvaturePattern {
  public:
   RevoluteConstraint(const Revolute& r, const Vec2& s_a, const Vec2& s_b)
       : Constraint(r.name, {r.a, r.b}, {{"x", Measure::length}, {"y", Measure::length}},
@@ -33,6 +33,7 @@ class RevoluteConstraint final : public Constraint {
     if (out.K != nullptr) pair.write_K(out.lambda, out.K);
   }
 
+  bool is_curved(int j, int l) const override { return PointPair::is_curved(j, l); }
   Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(s_b_); }
   void draw(Drawing& drawing) const override { drawing.pin(a_, s_a_, b_, s_b_); }
 

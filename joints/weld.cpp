@@ -15,7 +15,7 @@ std::vector<bool> weld_pattern(const Vec2& s_a, const Vec2& s_b) {
   return pattern;
 }
 
-class WeldConstraint final : public Constraint {
+class WeldConstraint final : public Constraint, public CurvaturePattern {
  public:
   WeldConstraint(const Weld& w, const Vec2& s_a, const Vec2& s_b, double difference)
       : Constraint(w.name, {w.a, w.b},
@@ -51,6 +51,7 @@ class WeldConstraint final : public Constraint {
     if (out.K != nullptr) pair.write_K(out.lambda, out.K);
   }
 
+  bool is_curved(int j, int l) const override { return PointPair::is_curved(j, l); }
   Vec2 reaction_point(const Motion& motion) const override { return motion[b_].point(s_b_); }
   void draw(Drawing& drawing) const override { drawing.weld(a_, s_a_, b_, s_b_); }
 

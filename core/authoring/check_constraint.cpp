@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <yoke/core/authoring/check_tools.hpp>
+#include <yoke/core/equations/curvature_pattern.hpp>
 
 namespace yoke::checking {
 namespace {
@@ -95,9 +96,21 @@ class ConstraintChecker {
               "row {} column {} is outside the declared pattern but G = {:g}, H = {:g} there", r, c,
               all_.G[i], all_.H[i]));
       }
+    check_curvature();
     if (!element_.rheonomic() && largest(all_.phi_t) != 0.0)
       comparison_.complain(
           "phi_t is not zero but rheonomic() says that phi does not depend on time");
+  }
+
+  void check_curvature() {
+    const auto* curvature = dynamic_cast<const CurvaturePattern*>(&element_);
+    for (int j = 0; curvature != nullptr && j < columns_; ++j)
+      for (int l = 0; l < columns_; ++l)
+        if (const double K = all_.K[index(j * columns_ + l)];
+            K != 0.0 && !curvature->is_curved(j, l))
+          comparison_.complain(fmt::format(
+              "second derivatives by columns {} and {} are said to be zero but K = {:g} there", j,
+              l, K));
   }
 
   // phi, G v + phi_t and G^T lambda one after the other, at the probe's place with v held.

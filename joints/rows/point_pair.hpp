@@ -16,6 +16,7 @@
 #pragma once
 
 #include <yoke/core/constraint.hpp>
+#include <yoke/core/equations/curvature_pattern.hpp>
 
 namespace yoke {
 
@@ -52,6 +53,9 @@ class PointPair {
     const bool a = !s_a.isZero(0.0), b = !s_b.isZero(0.0);
     return {true, false, a, true, false, b, false, true, a, false, true, b};
   }
+
+  /// Only the turn of a body moves its arm otherwise than in a straight line.
+  static bool is_curved(int j, int l) { return j == l && j % 3 == 2; }
 
  private:
   const BodyMotion& a_;

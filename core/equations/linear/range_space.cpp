@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <yoke/core/equations/linear/block_elimination.hpp>
 #include <yoke/core/equations/linear/index.hpp>
@@ -52,8 +53,7 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   }
   made->find_products();
   made->G_.assign(6 * made->parts_.size(), 0.0);
-  made->a_.assign(at(made->dofs_), 0.0);
-  made->before_ = made->a_;
+  made->before_.assign(at(made->dofs_), 0.0);
   for (std::vector<double>* v : {&made->lambda_, &made->x_, &made->diagonal_})
     v->assign(2 * at(columns), 0.0);
   made->counts_.assign(2 * at(columns), 0);
@@ -77,18 +77,33 @@ void RangeSpace::add_nodes(const SaddleLayout& layout) {
   nodes_.push_back({.row = {-1, -1}, .part = static_cast<int>(parts_.size()), .place = 0});
 }
 
+/// Parts, those of a body in a row in the order of their nodes; `first` gets the place of each body's first,
+/// and one behind the last.
+std::vector<int> RangeSpace::parts_by_body(std::vector<int>& first) const {
+  first.assign(at(dofs_ / 3) + 1, 0);
+  const auto count = at(nodes_.back().part);
+  for (std::size_t p = 0; p < count; ++p) ++first[at(parts_[p].dof / 3)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> sorted(count);
+  for (std::size_t p = count; p-- > 0;)
+    sorted[at(--first[at(parts_[p].dof / 3)])] = static_cast<int>(p);
+  return sorted;
+}
+
 /// Nodes that have a body in common.
-std::vector<std::pair<int, int>> RangeSpace::pairs() {
-  std::vector<std::vector<int>> nodes_of_body(at(dofs_ / 3));
+std::vector<std::pair<int, int>> RangeSpace::pairs() const {
+  std::vector<int> first;
+  std::vector<int> node = parts_by_body(first), of_part(parts_.size());
   for (int k = 0; k + 1 < static_cast<int>(nodes_.size()); ++k)
-    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p)
-      nodes_of_body[at(parts_[at(p)].dof / 3)].push_back(k);
+    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) of_part[at(p)] = k;
+  for (int& part : node) part = of_part[at(part)];
   std::vector<std::pair<int, int>> pairs;
   const std::size_t most = most_products_per_part * parts_.size();
-  for (const std::vector<int>& nodes : nodes_of_body)
-    for (std::size_t j = 1; j < nodes.size() && pairs.size() <= most; ++j)
-      for (std::size_t i = 0; i < j; ++i)
-        if (nodes[i] != nodes[j]) pairs.emplace_back(nodes[i], nodes[j]);
+  pairs.reserve(node.size());
+  for (std::size_t body = 0; body + 1 < first.size(); ++body)
+    for (int j = first[body] + 1; j < first[body + 1] && pairs.size() <= most; ++j)
+      for (int i = first[body]; i < j; ++i)
+        if (node[at(i)] != node[at(j)]) pairs.emplace_back(node[at(i)], node[at(j)]);
   return pairs;
 }
 
@@ -108,14 +123,12 @@ void RangeSpace::put_in_order(const std::vector<int>& order) {
 }
 
 void RangeSpace::find_products() {
-  struct Use {
-    int node, part;
-  };
-  std::vector<std::vector<Use>> uses(at(dofs_ / 3));
   const int columns = static_cast<int>(nodes_.size()) - 1;
+  std::vector<int> first;
+  const std::vector<int> uses = parts_by_body(first);
+  std::vector<int> node(parts_.size());
   for (int k = 0; k < columns; ++k)
-    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p)
-      uses[at(parts_[at(p)].dof / 3)].push_back({k, p});
+    for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) node[at(p)] = k;
   const BlockPattern& pattern = factors_->pattern();
   const int blocks = columns + static_cast<int>(pattern.row.size());
   std::vector<bool> used(at(blocks), false);
@@ -124,10 +137,12 @@ void RangeSpace::find_products() {
     for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) {
       Part& part = parts_[at(p)];
       part.product = static_cast<int>(products_.size());
-      for (const Use& use : uses[at(part.dof / 3)]) {
-        if (use.node <= k) continue;
-        const int place = pattern.place(use.node, k);
-        products_.push_back({.part = use.part, .place = 4 * place, .first = !used[at(place)]});
+      const auto body = at(part.dof / 3);
+      for (int i = first[body]; i < first[body + 1]; ++i) {
+        const int other = uses[at(i)], below = node[at(other)];
+        if (below <= k) continue;
+        const int place = pattern.place(below, k);
+        products_.push_back({.part = other, .place = 4 * place, .first = !used[at(place)]});
         used[at(place)] = true;
       }
     }
@@ -206,7 +221,7 @@ void RangeSpace::start(const double* gamma) {
     const Node& node = nodes_[k];
     double first = 0.0, second = 0.0;
     for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6) {
-      const double* a = a_.data() + parts_[at(p)].dof;
+      const double* a = a_ + parts_[at(p)].dof;
       first += g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
       second += g[3] * a[0] + g[4] * a[1] + g[5] * a[2];
     }
@@ -225,7 +240,7 @@ double RangeSpace::find_misfit(const double* gamma) {
     const Node& node = nodes_[k];
     double sum[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
     for (int p = node.part; p < nodes_[k + 1].part; ++p) {
-      const double* a = a_.data() + parts_[at(p)].dof;
+      const double* a = a_ + parts_[at(p)].dof;
       for (int i = 0; i < 2; ++i, g += 3) {
         const double term[3] = {g[0] * a[0], g[1] * a[1], g[2] * a[2]};
         sum[i] += term[0] + term[1] + term[2];
@@ -257,7 +272,7 @@ void RangeSpace::correct() {
     lambda_[2 * k] += u;
     lambda_[2 * k + 1] += v;
     for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6) {
-      double* a = a_.data() + parts_[at(p)].dof;
+      double* a = a_ + parts_[at(p)].dof;
       const double* w = mobility_.data() + parts_[at(p)].dof;
       a[0] -= w[0] * (g[0] * u + g[3] * v);
       a[1] -= w[1] * (g[1] * u + g[4] * v);
@@ -268,21 +283,21 @@ void RangeSpace::correct() {
 
 /// What only rounding is left of was the rounding of forces in balance: what does not move rests to the last bit.
 void RangeSpace::refine() {
-  std::ranges::copy(a_, before_.begin());
+  std::copy_n(a_, before_.size(), before_.begin());
   correct();
-  for (std::size_t i = 0; i < a_.size(); ++i)
+  for (std::size_t i = 0; i < before_.size(); ++i)
     if (std::abs(a_[i]) <= rounding_left * std::abs(before_[i])) a_[i] = 0.0;
 }
 
 void RangeSpace::solve(double* b) {
   const double* gamma = b + dofs_;
-  for (std::size_t i = 0; i < a_.size(); ++i) a_[i] = mobility_[i] * b[i];
+  a_ = b;
+  for (std::size_t i = 0; i < mobility_.size(); ++i) a_[i] *= mobility_[i];
   std::ranges::fill(lambda_, 0.0);
   start(gamma);
   correct();
   const int refinements = factors_->smallest_pivot() < one_refinement ? 2 : 1;
   for (int i = 0; i < refinements && find_misfit(gamma) > misfit_allowed; ++i) refine();
-  std::ranges::copy(a_, b);
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k)
     for (int i = 0; i < 2; ++i)
       if (const int row = nodes_[k].row[i]; row >= 0) b[dofs_ + row] = lambda_[2 * k + at(i)];

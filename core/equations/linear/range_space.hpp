@@ -53,7 +53,8 @@ class RangeSpace {
   RangeSpace() = default;
   static std::unique_ptr<RangeSpace> lay_out(const SaddleLayout& layout, double most, bool klu);
   void add_nodes(const SaddleLayout& layout);
-  std::vector<std::pair<int, int>> pairs();
+  std::vector<std::pair<int, int>> pairs() const;
+  std::vector<int> parts_by_body(std::vector<int>& first) const;
   void put_in_order(const std::vector<int>& order);
   void find_products();
   void pack(const double* G, std::span<const char> dropped);
@@ -72,7 +73,8 @@ class RangeSpace {
   std::vector<double> G_;         // [6 for each part] two rows of three
   std::vector<char> counts_;      // [2 for each node] rows that are equations
   std::vector<double> diagonal_;  // [2 for each node] of S
-  std::vector<double> a_, before_, lambda_, x_;
+  std::vector<double> before_, lambda_, x_;
+  double* a_ = nullptr;  // of the solution under way, in place of Q
   std::unique_ptr<SymmetricFactors> factors_;
 };
 

@@ -39,10 +39,10 @@ std::string_view name_of(LinearSolver solver) {
 SaddleSolver::~SaddleSolver() = default;
 
 SaddleSolver::SaddleSolver(SaddleLayout layout, LinearSolver choice) : layout_(std::move(layout)) {
-  build_matrix();
   choose(choice);
 }
 
+// A model that is solved by blocks may never need it.
 void SaddleSolver::build_matrix() {
   const int n = layout_.dofs();
   PatternBuilder pattern(n + layout_.rows);
@@ -82,6 +82,7 @@ void SaddleSolver::choose(LinearSolver choice) {
 }
 
 SparseLU& SaddleSolver::klu() {
+  if (matrix_.size == 0) build_matrix();
   if (!lu_) lu_.emplace(matrix_);
   return *lu_;
 }
@@ -92,6 +93,7 @@ LinearSolver SaddleSolver::in_use() const {
 }
 
 const SparseMatrix& SaddleSolver::matrix(const double* G, std::span<const char> dropped) {
+  if (matrix_.size == 0) build_matrix();
   double* value = matrix_.value.data();
   for (const Stamp& s : stamps_) value[s.lower] = value[s.upper] = G[s.entry];
   for (std::size_t i = 0; i < switch_diagonal_.size(); ++i)

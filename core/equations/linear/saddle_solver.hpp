@@ -58,10 +58,10 @@ class SaddleSolver {
   std::unique_ptr<RangeSpace> range_;
   bool range_is_klu_ = false;
   bool by_range_ = false;  // are the present factors its?
-  SparseMatrix matrix_;
+  SparseMatrix matrix_;    // and what follows: made when it is needed
   std::vector<Stamp> stamps_;
   std::vector<int> switch_diagonal_;  // slots of the rows that count at times
-  std::optional<SparseLU> lu_;        // made when it is needed
+  std::optional<SparseLU> lu_;
   FactorCounters counters_;
 };
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <yoke/core/equations/linear/index.hpp>
+
 namespace yoke {
 
 int PatternBuilder::add(int row, int column) {
@@ -16,51 +18,37 @@ int PatternBuilder::add(int row, int column) {
   return static_cast<int>(requests_.size()) - 1;
 }
 
-namespace {
-
-/// `order` sorted by key(i), a number from 0 to `largest`; equal ones stay as they are. In linear
-/// time.
-template <class Key>
-std::vector<int> sorted(const std::vector<int>& order, int largest, Key&& key) {
-  std::vector<int> next(static_cast<std::size_t>(largest) + 2, 0), result(order.size());
-  for (const int i : order) ++next[static_cast<std::size_t>(key(i)) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (const int i : order)
-    result[static_cast<std::size_t>(next[static_cast<std::size_t>(key(i))]++)] = i;
-  return result;
-}
-
-}  // namespace
-
+// One pass by columns, then each column by itself: it is short and in the cache.
 SparseMatrix PatternBuilder::compile(std::vector<int>& slot_of_request) const {
-  const auto request = [&](int i) { return requests_[static_cast<std::size_t>(i)]; };
-  std::vector<int> order(requests_.size());
-  std::iota(order.begin(), order.end(), 0);
-  order = sorted(order, size_, [&](int i) { return request(i).second; });
-  order = sorted(order, size_, [&](int i) { return request(i).first; });
-
+  struct Entry {
+    int row, request;
+  };
+  std::vector<int> next(at(size_) + 2, 0);
+  for (const auto& [column, row] : requests_) ++next[at(column) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Entry> entries(requests_.size());
+  for (std::size_t i = 0; i < requests_.size(); ++i) {
+    const auto& [column, row] = requests_[i];
+    entries[at(next[at(column)]++)] = {row, static_cast<int>(i)};
+  }
   SparseMatrix matrix;
   matrix.size = size_;
-  matrix.column_start.assign(static_cast<std::size_t>(size_) + 1, 0);
+  matrix.column_start.assign(at(size_) + 1, 0);
   slot_of_request.resize(requests_.size());
-  std::pair<int, int> last{-1, -1};
-  std::vector<int> discarded;
-  for (const int i : order) {
-    const auto entry = request(i);
-    if (entry.first == size_) {
-      discarded.push_back(i);
-      continue;
+  auto begin = entries.begin();
+  for (int column = 0; column < size_; ++column) {
+    const auto end = entries.begin() + next[at(column)];
+    std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    int last = -1;
+    for (; begin != end; ++begin) {
+      if (begin->row != last) matrix.row.push_back(begin->row);
+      last = begin->row;
+      slot_of_request[at(begin->request)] = matrix.nonzeros() - 1;
     }
-    if (entry != last) {
-      matrix.row.push_back(entry.second);
-      ++matrix.column_start[static_cast<std::size_t>(entry.first) + 1];
-      last = entry;
-    }
-    slot_of_request[static_cast<std::size_t>(i)] = matrix.nonzeros() - 1;
+    matrix.column_start[at(column) + 1] = matrix.nonzeros();
   }
-  for (const int i : discarded) slot_of_request[static_cast<std::size_t>(i)] = matrix.nonzeros();
-  std::partial_sum(matrix.column_start.begin(), matrix.column_start.end(),
-                   matrix.column_start.begin());
+  for (; begin != entries.end(); ++begin)
+    slot_of_request[at(begin->request)] = matrix.discard_slot();
   matrix.value.assign(matrix.row.size() + 1, 0.0);
   return matrix;
 }

@@ -3,6 +3,8 @@
 #include <yoke/core/equations/linear/symmetric_blocks.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 #include <yoke/core/equations/linear/index.hpp>
 
@@ -16,15 +18,21 @@ int BlockPattern::place(int below, int left) const {
 }
 
 BlockPattern pattern_of(int columns, std::vector<std::pair<int, int>> pairs) {
-  for (auto& [left, below] : pairs)
-    if (left > below) std::swap(left, below);
-  std::ranges::sort(pairs);
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<int> next(at(columns) + 1, 0), below(pairs.size());
+  for (auto& [i, j] : pairs) {
+    if (i > j) std::swap(i, j);
+    ++next[at(i) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (const auto& [i, j] : pairs) below[at(next[at(i)]++)] = j;
   BlockPattern pattern;
-  std::size_t next = 0;
+  pattern.start.reserve(at(columns) + 1);
+  auto begin = below.begin();
   for (int column = 0; column < columns; ++column) {
-    for (; next < pairs.size() && pairs[next].first == column; ++next)
-      pattern.row.push_back(pairs[next].second);
+    const auto end = below.begin() + next[at(column)];
+    std::sort(begin, end);
+    std::unique_copy(begin, end, std::back_inserter(pattern.row));
+    begin = end;
     pattern.start.push_back(static_cast<int>(pattern.row.size()));
   }
   return pattern;

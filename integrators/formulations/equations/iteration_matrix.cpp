@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/curvature_pattern.hpp>
 #include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
@@ -22,12 +23,23 @@ bool has_derivatives(const ForceSlot& f) {
   return depends.position || depends.velocity || f.states > 0 || f.load_rows > 0;
 }
 
-// K couples two coordinates only if one equation depends on both.
-bool couples(const Constraint& c, int j, int l) {
+// K couples two coordinates only if one equation depends on both, and not linearly.
+bool couples(const Constraint& c, const CurvaturePattern* curvature, int j, int l) {
+  if (curvature != nullptr && !curvature->is_curved(j, l)) return false;
   for (int i = 0; i < c.rows(); ++i)
     if (c.in_pattern(i, j) && c.in_pattern(i, l)) return true;
   return false;
 }
+
+// A column of H is zero if G does not depend on its coordinate.
+bool may_have_rate(const Constraint& c, const CurvaturePattern* curvature, int j) {
+  if (curvature == nullptr || c.rheonomic()) return true;
+  for (int l = 0; l < c.columns(); ++l)
+    if (couples(c, curvature, j, l)) return true;
+  return false;
+}
+
+bool is_of_rates(Block b) { return b == Block::H || b == Block::H_hold || b == Block::H_second; }
 }  // namespace
 
 IterationMatrix::IterationMatrix(System& system, const MatrixLayout& layout)
@@ -84,11 +96,12 @@ void IterationMatrix::place_diagonal(PatternBuilder& pattern, const Placement& p
 void IterationMatrix::place_constraint(PatternBuilder& pattern, const ConstraintSlot& c,
                                        const Placement& p) {
   const auto dof = [&](int j) { return system_.dof()[at(c.dofs + j)]; };
+  const auto* curvature = dynamic_cast<const CurvaturePattern*>(c.element);
   std::vector<Stamp>& list = stamps(p.block).list;
   if (p.block == Block::K_lambda || p.block == Block::K_mu) {
     for (int j = 0; j < c.columns; ++j)
       for (int l = 0; l < c.columns; ++l)
-        if (dof(j) >= 0 && dof(l) >= 0 && couples(*c.element, j, l))
+        if (dof(j) >= 0 && dof(l) >= 0 && couples(*c.element, curvature, j, l))
           list.push_back(
               {j * c.columns + l, pattern.add(p.row + dof(j), p.column + dof(l)), p.factor});
     return;
@@ -100,6 +113,7 @@ void IterationMatrix::place_constraint(PatternBuilder& pattern, const Constraint
     if (system_.is_left_out(equation)) continue;
     for (int j = 0; j < c.columns; ++j) {
       if (dof(j) < 0 || !c.element->in_pattern(i, j)) continue;
+      if (is_of_rates(p.block) && !may_have_rate(*c.element, curvature, j)) continue;
       const int request = p.block == Block::G_T ? pattern.add(p.row + dof(j), p.column + equation)
                                                 : pattern.add(p.row + equation, p.column + dof(j));
       list.push_back({c.block + i * c.columns + j, request, p.factor});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <yoke/core/authoring/check.hpp>
+#include <yoke/core/equations/curvature_pattern.hpp>
 #include <yoke/core/model.hpp>
 #include <yoke/tests/messages.hpp>
 
@@ -23,10 +24,10 @@ struct OneBody {
   BodyId body = model.add({.name = "body", .mass = 1.3, .inertia = 0.4, .pose = {{0.3, 0.7}, 0.2}});
 };
 
-enum class Fault { none, G, phi_t, gamma, H, K, pattern, rheonomic, alone, zeros, nan };
+enum class Fault { none, G, phi_t, gamma, H, K, pattern, curvature, rheonomic, alone, zeros, nan };
 
 // Phi = x y + sin(theta) - t^2 on one body, right but for one fault.
-class Faulty final : public Constraint {
+class Faulty final : public Constraint, public CurvaturePattern {
  public:
   Faulty(BodyId body, Fault fault)
       : Constraint("faulty", {body}, {{"row", Measure::length}},
@@ -54,6 +55,9 @@ class Faulty final : public Constraint {
     }
   }
   bool rheonomic() const override { return fault_ != Fault::rheonomic; }
+  bool is_curved(int j, int l) const override {
+    return (j == 2 && l == 2) || (j + l == 1 && fault_ != Fault::curvature);
+  }
 
  private:
   double wrong(Fault f) const { return f == fault_ ? 1.0 + 1e-5 : 1.0; }
@@ -135,6 +139,8 @@ TEST_CASE("a constraint wrong by one part in 10^5 in one block is found, by the 
 
 TEST_CASE("a constraint that breaks its word is found") {
   CHECK(contains(check_constraint(Fault::pattern).problem, "outside the declared pattern"));
+  CHECK(
+      contains(check_constraint(Fault::curvature).problem, "columns 0 and 1 are said to be zero"));
   CHECK(contains(check_constraint(Fault::rheonomic).problem, "rheonomic()"));
   CHECK(contains(check_constraint(Fault::alone).problem, "G asked for alone"));
   CHECK(check_constraint(Fault::nan).problem == "G holds a number that is not finite");

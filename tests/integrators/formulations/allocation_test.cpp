@@ -30,7 +30,7 @@
 #include <yoke/tests/integrators/relaxing_spring.hpp>
 
 namespace {
-std::atomic<long> allocations{0};
+std::atomic<long> allocations{0}, bytes{0};  // bytes asked for
 }
 
 extern "C" {
@@ -39,14 +39,17 @@ void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
 void* malloc(std::size_t size) {
   ++allocations;
+  bytes += static_cast<long>(size);
   return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) {
   ++allocations;
+  bytes += static_cast<long>(count * size);
   return __libc_calloc(count, size);
 }
 void* realloc(void* old, std::size_t size) {
   ++allocations;
+  bytes += static_cast<long>(size);
   return __libc_realloc(old, size);
 }
 }
@@ -99,6 +102,47 @@ TEST_CASE("stepping, events, restarts and recording allocate nothing") {
     CHECK(c.steps > 1000);
     CHECK(c.allocations == 0);
     CHECK(c.fresh <= 4);
+  }
+}
+
+TEST_CASE("setting up a run takes no more per link of a long chain than of a short one") {
+  struct SetUp {
+    double allocations, bytes;  // for each link
+  };
+  const auto set_up = [](int links, const std::string& formulation) {
+    Model model;
+    BodyId last = ground;
+    for (int i = 0; i < links; ++i) {
+      const BodyId link = model.add(Body{.name = "link" + std::to_string(i),
+                                         .mass = 1.0,
+                                         .inertia = 0.1,
+                                         .pose = {{i + 0.5, 0.0}, 0.0}});
+      model.add(
+          Revolute{.name = "pin" + std::to_string(i), .a = last, .b = link, .at = {1.0 * i, 0.0}});
+      last = link;
+    }
+    model.add(Gravity{});
+    const long calls = allocations.load(), asked = bytes.load();
+    SetUp taken{};
+    const Result run = simulate(model, {.until = 1e-3,
+                                        .formulation = formulation,
+                                        .samples = 2,
+                                        .columns = {"link0.*"},
+                                        .observer = [&](const Progress&) {
+                                          if (taken.allocations > 0.0) return true;
+                                          taken.allocations =
+                                              static_cast<double>(allocations - calls) / links;
+                                          taken.bytes = static_cast<double>(bytes - asked) / links;
+                                          return true;
+                                        }});
+    REQUIRE(run.summary.ok());
+    return taken;
+  };
+  for (const std::string formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
+    const SetUp few = set_up(200, formulation), many = set_up(2000, formulation);
+    INFO(formulation, ": ", many.allocations, " allocations and ", many.bytes, " bytes a link");
+    CHECK(many.allocations <= few.allocations);
+    CHECK(many.bytes < 1.25 * few.bytes);  // arrays that double as they grow
   }
 }
 

@@ -235,3 +235,21 @@ TEST_CASE("GGL matrix keeps its pattern through any number of factorisations") {
   CHECK(equations.matrix().row == rows);
   CHECK(equations.counters().fresh == 1);  // the scaling takes the step out of the pivots
 }
+
+TEST_CASE("pins take room for the second derivatives they have, by the angle of each body") {
+  const Model model = double_pendulum();
+  System system(model);
+  const GglEquations equations(system);
+  const SparseMatrix& matrix = equations.matrix();
+  int by_positions = 0;
+  for (int column = 0; column < system.dofs(); ++column)
+    for (int k = matrix.column_start[static_cast<std::size_t>(column)];
+         k < matrix.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
+      const int row = matrix.row[static_cast<std::size_t>(k)] - equations.v();
+      if (row < 0 || row >= system.dofs()) continue;
+      CHECK(row == column);
+      CHECK(column % 3 == 2);
+      ++by_positions;
+    }
+  CHECK(by_positions == 2);
+}
