@@ -360,6 +360,7 @@ ImpactOutcome simulate_impact(const CentralImpact& impact) {
       .samples = 0,
       .length_scale = resolved_share * depth,
       .time_scale = depth / impact.speed,
+      .order = impact.order,
   };
   const long events = impact.law.dissipation.needs_largest_penetration() ? 3 : 2;
   options.observer = [events](const Progress& now) { return now.events < events; };

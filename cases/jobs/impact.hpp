@@ -37,6 +37,7 @@ struct CentralImpact {
   Setup setup = Setup::two_bodies;
   double relative_tolerance = 1e-12;
   std::string formulation = "arkode-projection";
+  int order = 0;    // of explicit steps, see SimulationOptions
   int samples = 0;  // of the loop
 };
 
