@@ -8,6 +8,8 @@
 //   stops_at_10_kHz   advance_to() every 0.1 ms, against simulate(); no look
 //   looks_at_10_kHz   the same with state() and a column read at each stop
 //   controlled        a controller that sets a force at 10 kHz, against none (aim: at most 1.5)
+//   controlled_to_order_5  the same against a run of order 5 without: with the order that the run
+//                     chooses, its steps are longer than 0.1 ms
 //   sampled           a controller at 10 kHz that only reads
 #include <benchmark/benchmark.h>
 
@@ -27,6 +29,7 @@ using namespace yoke;
 using namespace yoke::tests;
 
 const SimulationOptions options{.until = 2.0 * yoke_period, .samples = 0};
+const SimulationOptions options_of_order_5{.until = 2.0 * yoke_period, .samples = 0, .order = 5};
 
 /// Time of `run` over that of `reference`, both run in turn.
 double ratio(const std::function<void()>& run, const std::function<void()>& reference) {
@@ -87,6 +90,10 @@ void embedding(benchmark::State& state) {
     state.counters["looks_at_10_kHz"] = ratio([&] { stops(true); }, whole);
     state.counters["controlled"] =
         ratio([&] { benchmark::DoNotOptimize(simulate(brake, options)); }, without);
+    // Steps that end 10 000 times a second cannot be as long as those of order 7 are otherwise.
+    state.counters["controlled_to_order_5"] =
+        ratio([&] { benchmark::DoNotOptimize(simulate(brake, options)); },
+              [&] { benchmark::DoNotOptimize(simulate(idle, options_of_order_5)); });
     state.counters["sampled"] =
         ratio([&] { benchmark::DoNotOptimize(simulate(reader, options)); }, without);
   }
