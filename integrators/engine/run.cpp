@@ -159,7 +159,7 @@ void Run::start_anew() {
 
 void Run::start_formulation(bool loads_only) {
   loads_only ? formulation_->restart(state_) : formulation_->start(state_);
-  locator_.start(state_);
+  locator_.start(state_, loads_only);
   dynamics_.system().bind(state_);
   t_sample_ = next_sample();
 }
@@ -192,7 +192,8 @@ bool Run::reach_samples(double t, bool at_event) {
   if (!at_event) {
     formulation_->interpolate(t, state_);
     dynamics_.system().bind(state_);
-    if (!dynamics_.project(t, state_.q.data(), state_.v.data()) && !dynamics_.project(state_))
+    if (!formulation_->ends_projected() &&
+        !dynamics_.project(t, state_.q.data(), state_.v.data()) && !dynamics_.project(state_))
       return fail(not_projected("at the sample ", t));
   }
   if (!take_samples_due()) return false;

@@ -25,7 +25,8 @@ namespace {
 
 constexpr int max_error_test_failures = 30;
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr double cautious = 0.8;  // of a step that is planned: behind a restart more are rejected
+// Of a step that is planned: behind a restart more are rejected, least where only loads have changed.
+constexpr double cautious = 0.8, less_cautious = 0.9;
 constexpr double least_growth = 0.2, most_growth = 5.0;  // of a first step, to the next of its kind
 constexpr double reached = 1.0 + 1e-9;  // a step that comes so near to a stop ends there
 // Of the polynomial on which ARKODE looks for roots; one more would cost an evaluation in each step, and
@@ -48,6 +49,7 @@ class Arkode final : public SundialsStepper {
   void start(const State& state) override;
   Step step(double t_stop) override;
   double last_step() const override;
+  bool ends_projected() const override { return projects_; }
   void interpolate(double t, State& state) override;
   void glance(double t, State& state) override;
   void look(double t, State& state, Dynamics& equations) override;
@@ -290,7 +292,7 @@ Step Arkode::step(double t_stop) {
   }
   if (t_stop_ == nowhere) {  // at a stop it does not say what it plans
     ARKodeGetCurrentStep(memory, &planned_step_);
-    natural_step_ = cautious * planned_step_;
+    natural_step_ = less_cautious * planned_step_;
   }
   natural_step_ = std::max(natural_step_, t_ - t_begin_);
   if (first) note_first_step();

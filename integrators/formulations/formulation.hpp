@@ -68,6 +68,8 @@ class Formulation {
   virtual Step step(double t_stop) = 0;
   virtual double time() const = 0;
   virtual double last_step() const = 0;
+  /// Do its steps end on the constraints?
+  virtual bool ends_projected() const { return false; }
   /// t, q, v, z and energy at a time inside the last step, not projected.
   virtual void interpolate(double t, State& state) = 0;
   /// The same for looks into the last step: it may be less accurate, but asks for no evaluation of

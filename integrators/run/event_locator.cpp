@@ -18,7 +18,7 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr int golden_steps = 30;  // a part of 5e-7 of where it is looked for
 constexpr double steepest = 2.0;  // rise of a gap beyond a look, of that between looks
-constexpr double wide = 8.0;      // a gap, of its change within a step
+constexpr double wide = 8.0;      // a gap, of how far it strays from a line within a step
 constexpr double flat = 64.0 * std::numeric_limits<double>::epsilon();  // of the function
 
 }  // namespace
@@ -34,7 +34,9 @@ EventLocator::EventLocator(Dynamics& dynamics)
                             .last_contact = f.contacts + f.element->contacts()});
 }
 
-void EventLocator::start(const State& state) {
+// Gaps do not jump with loads: what was seen at the end of the last step is still so.
+void EventLocator::start(const State& state, bool loads_only) {
+  if (loads_only) return;
   looks_ = false;
   for (Watched& w : watched_) {
     w.active = !w.of_contact();
@@ -163,14 +165,17 @@ double EventLocator::first_crossing(Formulation& formulation, const Watched& w, 
   return nowhere;
 }
 
-/// A gap that is wide against all that it does within a step needs no closer look.
+/// A gap that is wide against how far it strays from a straight line within a step needs no closer look.
 bool EventLocator::is_far(const Watched& w) {
   if (!w.active) return true;
   if (!w.of_contact()) return false;
-  double least = w.seen.front(), most = least;
-  for (const std::size_t i : few_looks)
-    least = std::min(least, w.seen[i]), most = std::max(most, w.seen[i]);
-  return most + wide * (most - least) < 0.0;
+  const double change = w.seen.back() - w.seen.front();
+  double most = w.seen.front(), astray = 0.0;
+  for (const std::size_t i : few_looks) {
+    most = std::max(most, w.seen[i]);
+    astray = std::max(astray, std::abs(w.seen[i] - w.seen.front() - looks[i] * change));
+  }
+  return most + wide * astray < 0.0;
 }
 
 bool EventLocator::is_largest(const Watched& w, std::size_t i) {

@@ -25,8 +25,8 @@ class EventLocator {
   static constexpr double longest_gap = 1.0 / 8.0;
 
   explicit EventLocator(Dynamics& dynamics);
-  /// At a restart.
-  void start(const State& state);
+  /// At a restart; `loads_only`: one at which nothing else has changed than loads.
+  void start(const State& state, bool loads_only = false);
   /// [s] Instant of the first events of the step that `formulation` has just made from `from` [s],
   /// or its end; fired() are the slots. Overwrites `scratch` and leaves the system at its motion.
   double locate(Formulation& formulation, Step step, double from, State& scratch);
@@ -37,9 +37,9 @@ class EventLocator {
   static constexpr std::array<double, 11> looks = {0.0,       1.0 / 64.0,  1.0 / 8.0, 2.0 / 8.0,
                                                    3.0 / 8.0, 4.0 / 8.0,   5.0 / 8.0, 6.0 / 8.0,
                                                    7.0 / 8.0, 63.0 / 64.0, 1.0};
-  /// Indices of those that tell whether all contacts are far from touching: at unequal distances, so
-  /// that nothing that comes and goes looks still.
-  static constexpr std::array<std::size_t, 4> few_looks = {2, 4, 7, 10};
+  /// Indices of those that tell, with the first, whether all contacts are far from touching: at unequal
+  /// distances, so that nothing that comes and goes looks straight.
+  static constexpr std::array<std::size_t, 3> few_looks = {4, 7, 10};
   struct Watched {
     int slot = 0;
     int first_contact = 0, last_contact = 0;  // of its element, behind the last one

@@ -24,6 +24,7 @@ class SingularCrossing final : public Formulation {
   void start(const State& state) override;
   Step step(double t_stop) override;
   double time() const override { return crossing_ ? t_ : inner_->time(); }
+  bool ends_projected() const override { return !crossing_ && inner_->ends_projected(); }
   double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
   void interpolate(double t, State& state) override;
   void glance(double t, State& state) override;
