@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <thread>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include <yoke/core/equations/linear/linear_solver.hpp>
 #include <yoke/core/error.hpp>
 #include <yoke/core/result.hpp>
+#include <yoke/integrators/formulations/explicit/explicit_pairs.hpp>
 #include <yoke/integrators/run/checkpoint_schedule.hpp>
 #include <yoke/integrators/simulate.hpp>
 
@@ -49,14 +51,17 @@ double checked_interval(const std::string& text) {
 /// Refused where it would do nothing.
 int checked_order(const RequestOptions& o) {
   if (o.order == 0) return 0;
-  if (o.order != 5 && o.order != 7)
-    throw ModelError(fmt::format("--order {}: accepted are 5 and 7", o.order));
+  const auto order = static_cast<int>(o.order);
+  if (std::ranges::count(explicit_pairs(), order, &ExplicitPair::order) == 0)
+    throw ModelError(fmt::format(
+        "--order {}: accepted are {}", o.order,
+        fmt::join(explicit_pairs() | std::views::transform(&ExplicitPair::order), ", ")));
   if (!o.formulation.empty() && !o.formulation.starts_with("arkode"))
     throw ModelError(fmt::format(
         "--order {}: formulation '{}' has none; it belongs to --formulation arkode-projection and "
         "arkode-baumgarte",
         o.order, o.formulation));
-  return static_cast<int>(o.order);
+  return order;
 }
 
 /// Refused where it would do nothing.

@@ -36,11 +36,6 @@ constexpr int interpolant = 3;
 constexpr double largest_projection = 1e4;
 constexpr double least_error = 1e-6;  // that says something about the length of steps
 
-bool touches(const State& state) {
-  return std::ranges::any_of(state.contacts,
-                             [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
-}
-
 class Arkode final : public SundialsStepper {
  public:
   Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects);

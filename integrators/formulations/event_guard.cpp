@@ -18,6 +18,11 @@ double hidden(double value) {
 
 }  // namespace
 
+bool touches(const State& state) {
+  return std::ranges::any_of(state.contacts,
+                             [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
+}
+
 EventGuard::EventGuard(Dynamics& dynamics) : dynamics_(dynamics) {
   const auto count = static_cast<std::size_t>(dynamics.system().events());
   last_.assign(count, -1.0);

@@ -18,6 +18,9 @@ namespace yoke {
 /// to where the event was located: on either side, whatever the motion does next.
 inline double below_zero(double value) { return -2.0 * std::abs(value); }
 
+/// Does any contact touch?
+bool touches(const State& state);
+
 class EventGuard {
  public:
   explicit EventGuard(Dynamics& dynamics);

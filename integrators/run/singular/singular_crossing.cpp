@@ -46,9 +46,7 @@ SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dyna
 }
 
 void SingularCrossing::start(const State& state) {
-  const bool touching = std::ranges::any_of(
-      state.contacts, [](const ContactMemory& c) { return c.phase != ContactPhase::apart; });
-  shortest_ = touching ? shortest_touching : shortest_apart;
+  shortest_ = touches(state) ? shortest_touching : shortest_apart;
   here_ = next_ = inside_ = state;
   leaving_ = entering_ = has_before_ = false;
   t_m_ = state.t;

@@ -225,6 +225,9 @@ TEST_SUITE("program") {
             "formulation 'ida-ggl' has none");
     refused("run hanging_chain --formulation generalised-alpha --spectral-radius 1",
             "--spectral-radius 1: accepted is 0 to 0.999");
+    refused("run hanging_chain --order 6", "--order 6: accepted are 5, 7");
+    refused("run hanging_chain --formulation ida-ggl --order 7",
+            "--order 7: formulation 'ida-ggl' has none");
     refused("run hanging_chain --linear-solver lu",
             "unknown linear solver 'lu': automatic, klu, range-klu or blocks");
     CHECK(!fs::exists(scratch / "results"));

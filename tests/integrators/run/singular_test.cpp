@@ -19,6 +19,7 @@
 #include <yoke/joints/prismatic.hpp>
 #include <yoke/tests/integrators/wall.hpp>
 #include <yoke/tests/messages.hpp>
+#include <yoke/tests/over_closed.hpp>
 
 namespace {
 
@@ -123,24 +124,7 @@ TEST_CASE("three parallel cranks move as two, though the choice of equations cha
 TEST_CASE("what is nearly the same is chosen anew in time, at any tolerance: nothing is singular") {
   // The plate is tied to the wheel by a guide and a pin. As they turn, the guide's equation comes to
   // say what that of the pin says of x, and later of y. Found by the random mechanisms (20022).
-  Model m;
-  const BodyId wheel =
-      m.add({.name = "wheel", .mass = 7.7e6, .inertia = 62000.0, .pose = {{0.067, -0.33}, 0.0}});
-  const BodyId plate =
-      m.add({.name = "plate", .mass = 3.9, .inertia = 0.12, .pose = {{0.22, -0.065}, 0.0}});
-  const BodyId link =
-      m.add({.name = "link", .mass = 7.4, .inertia = 0.041, .pose = {{0.24, -0.7}, 0.0}});
-  m.add(Prismatic{.name = "guide", .a = wheel, .b = plate, .along = {-0.91, -0.42}});
-  m.add(Revolute{.name = "hinge", .a = wheel, .b = link, .at = {0.18, -0.43}});
-  m.add(PointOnLine{.name = "line",
-                    .a = link,
-                    .at = {0.29, -0.63},
-                    .b = ground,
-                    .through = {0.31, -0.52},
-                    .along = {-0.21, -0.98}});
-  m.add(
-      Distance{.name = "rod", .a = link, .b = wheel, .at_a = {0.29, -0.77}, .at_b = {0.1, -0.37}});
-  m.add(Revolute{.name = "pin", .a = wheel, .b = plate, .at = {0.16, -0.24}});
+  Model m = tests::plate_on_heavy_wheel();
   m.add(Gravity{.acceleration = {0.8, -0.95}});
   for (const double rtol : {1e-5, 1e-6, 1e-7, 1e-9}) {
     INFO(rtol);
