@@ -5,9 +5,10 @@
 // ARKODE. Two ways to stay on the constraints: projection of positions and velocities after every
 // step (in the metric of the masses), or Baumgarte's stabilisation. Order 5(4) or 7(6), as it pays.
 // ARKODE's dense output is worse than its steps, and a train of bounces is only as good as its
-// events. So samples and events are taken from a step of our own with the same coefficients, from
-// the start of ARKODE's step to the time wanted; a root that ARKODE located on its dense output is
-// polished on such steps.
+// events. So events are taken from a step of our own with the same coefficients, from the start of
+// ARKODE's step to the time wanted; a root that ARKODE located on its dense output is polished on such
+// steps. Samples are taken from a polynomial as good as the step, or from such steps where there is none.
+#include <yoke/integrators/formulations/explicit/dense_step.hpp>
 #include <yoke/integrators/formulations/explicit/order_choice.hpp>
 #include <yoke/integrators/formulations/sundials_stepper.hpp>
 #include <yoke/integrators/sundials/compatibility.hpp>
@@ -46,6 +47,7 @@ class Arkode final : public SundialsStepper {
   double last_step() const override;
   bool ends_projected() const override { return projects_; }
   void interpolate(double t, State& state) override;
+  void sample(double t, State& state) override;
   void glance(double t, State& state) override;
   void look(double t, State& state, Dynamics& equations) override;
   void restart(const State& state) override;
@@ -59,6 +61,7 @@ class Arkode final : public SundialsStepper {
     return calc_rates(dynamics_, t, y, y_dot);
   }
   bool calc_rates(Dynamics& equations, double t, const double* y, double* y_dot);
+  bool recall_rates(double t, const double* y, double* y_dot);
   bool project(double t, double* y);
   struct Integrator {
     const ExplicitPair* pair = nullptr;
@@ -66,7 +69,9 @@ class Arkode final : public SundialsStepper {
   };
 
   struct Slope;
-  void keep(Slope& slope);
+  void keep(Slope& slope, const double* rates);
+  void know_step();
+  DenseStep::Norm norm();
   void create();
   void begin(int order, double first_step);
   void rebase();
@@ -93,7 +98,14 @@ class Arkode final : public SundialsStepper {
   Slope at_begin_, at_end_;
   const double* last_rates_ = nullptr;  // that ARKODE asked for last, since the last projection
   double t_rates_ = 0.0;                // [s]
-  std::optional<OwnStep> look_step_;    // of looks, with the equations they were given last
+  DenseStep dense_;
+  /// The same of looks, with equations of their own.
+  struct Look {
+    OwnStep step;
+    DenseStep dense;
+    bool of_last_step = false;
+  };
+  std::optional<Look> look_;
   Dynamics* looking_ = nullptr;
   bool base_is_far_ = false;
   bool touching_ = false, begins_ = false;
@@ -110,7 +122,9 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
       stabilisation_(critically_damped(tolerances)),
       choice_(tolerances.relative, tolerances.order),
       integrators_{{{&explicit_pair(OrderChoice::low)}, {&explicit_pair(OrderChoice::high)}}},
-      scratch_(size_, context_, &groups_) {
+      scratch_(size_, context_, &groups_),
+      dense_(size_, n_,
+             [this](double t, const double* y, double* y_dot) { return calc_rates(t, y, y_dot); }) {
   before_projection_ = q_start_;
   at_begin_.rates = at_end_.rates = end_;
 }
@@ -148,7 +162,7 @@ void Arkode::begin(int order, double first_step) {
   active_ =
       &*std::ranges::find(integrators_, order, [](const Integrator& i) { return i.pair->order; });
   own_step_.use(*active_->pair);
-  if (look_step_) look_step_->use(*active_->pair);
+  if (look_) look_->step.use(*active_->pair);
   if (active_->memory == nullptr)
     create();
   else
@@ -167,6 +181,7 @@ void Arkode::start(const State& state) {
   goes_on_ = false;
   guard_.start(state);
   at_end_.known = false;
+  know_step();
   touching_ = touches(state);
   choice_.start(touching_);
   begins_ = true;
@@ -227,13 +242,13 @@ void Arkode::set_stop(double t_stop) {
 // [error weights] Of a step from where the last one began, by a pair that is not the active one.
 double Arkode::judge(const ExplicitPair& pair, double h) {
   own_step_.use(pair);
-  own_step_.from(t_begin_, begin_.data());
+  know_begin(begin_rates_);
   const double t = t_begin_ + h;
   double error = nowhere;
   if (own_step_.to(t, scratch_.data()))
     error = own_step_.error(t, scratch_.data(), [this](const double* e) { return norm_of(e); });
   own_step_.use(*active_->pair);
-  own_step_.from(t_begin_, begin_.data());
+  know_begin(begin_rates_);
   return error;
 }
 
@@ -250,7 +265,7 @@ void Arkode::compare_orders() {
                      &other = *integrators_[active_ == integrators_.data() ? 1 : 0].pair;
   const bool up = other.order > active.order;
   const double h = t_end_ - t_begin_, h_other = up ? h : 0.5 * h;
-  if (ERKStepGetEstLocalErrors(active_->memory, scratch_) != ARK_SUCCESS) return;
+  if (ARKodeGetEstLocalErrors(active_->memory, scratch_) != ARK_SUCCESS) return;
   calc_weights(y_, sensible_weights_, user_data());
   const double here = cost(active, h, norm_of(scratch_.data()));
   const double there = cost(other, h_other, judge(other, h_other));
@@ -272,16 +287,19 @@ Step Arkode::step(double t_stop) {
   if (flag < 0) {
     undo_step();  // the last good step stays the one to interpolate
     std::swap(at_begin_, at_end_);
+    know_step();
     ARKodeGetCurrentTime(memory, &t_);
     return Step::failed;
   }
   end_step();
+  know_step();
   if (flag == ARK_ROOT_RETURN) {
     ARKodeGetRootInfo(memory, found_.data());
     double t_limit = t_;
     ARKodeGetCurrentTime(memory, &t_limit);
     refine_event(t_limit);
     end_step();
+    know_step();
     collect_events();
     return Step::event;
   }
@@ -291,7 +309,10 @@ Step Arkode::step(double t_stop) {
   }
   natural_step_ = std::max(natural_step_, t_ - t_begin_);
   if (first) note_first_step();
-  if (last_rates_ != nullptr && t_rates_ == t_end_) keep(at_end_);
+  if (last_rates_ != nullptr && t_rates_ == t_end_) {
+    keep(at_end_, last_rates_);
+    know_step();
+  }
   accept_step();
   base_is_far_ = is_far_from_base();
   if (choice_.count()) compare_orders();
@@ -313,48 +334,56 @@ void Arkode::interpolate(double t, State& state) {
   unpack(t, state);
 }
 
+void Arkode::sample(double t, State& state) {
+  if (t == t_end_ || !dense_.raise(norm())) return interpolate(t, state);
+  dense_.at(t, y());
+  unpack(t, state);
+  // The next step begins with it.
+  if (!at_end_.known) keep(at_end_, dense_.end_rates());
+}
+
 void Arkode::look(double t, State& state, Dynamics& equations) {
   if (t == t_end_) return interpolate(t, state);
   looking_ = &equations;
-  if (!look_step_) {
-    look_step_.emplace(size_, [this](double at, const double* y, double* y_dot) {
-      return calc_rates(*looking_, at, y, y_dot);
-    });
-    look_step_->use(*active_->pair);
+  const auto rates = [this](double at, const double* y, double* y_dot) {
+    return calc_rates(*looking_, at, y, y_dot);
+  };
+  if (!look_) {
+    look_.emplace(Look{.step = OwnStep(size_, rates), .dense = DenseStep(size_, n_, rates)});
+    look_->step.use(*active_->pair);
   }
-  look_step_->from(t_begin_, begin_.data());
-  if (!look_step_->to(t, y())) ARKodeGetDky(active_->memory, t, 0, y_);
+  if (!std::exchange(look_->of_last_step, true)) {
+    look_->step.from(t_begin_, begin_.data(), begin_rates_);
+    look_->dense.from({.t = t_begin_, .y = begin_.data(), .rates = begin_rates_},
+                      {.t = t_end_, .y = end_.data()});
+  }
+  if (look_->dense.raise(norm()))
+    look_->dense.at(t, y());
+  else if (!look_->step.to(t, y()))
+    ARKodeGetDky(active_->memory, t, 0, y_);
   unpack(t, state);
 }
 
-// Positions by Hermite's quintic, where accelerations are known at both ends, or cubic, velocities by its
-// derivative; the rest by a cubic or linear.
 void Arkode::glance(double t, State& state) {
-  const double h = t_end_ - t_begin_, s = h > 0.0 ? (t - t_begin_) / h : 1.0, r = 1.0 - s;
-  const bool both = at_begin_.known && at_end_.known;
-  const auto n = static_cast<std::size_t>(n_);
-  double* out = y();
-  for (std::size_t i = 0; i < end_.size(); ++i) {
-    out[i] = begin_[i] + s * (end_[i] - begin_[i]);
-    if (i < 2 * n || !both || !(h > 0.0)) continue;
-    const double mean = end_[i] - begin_[i];
-    const double a = h * at_begin_.rates[i] - mean, b = h * at_end_.rates[i] - mean;
-    out[i] += s * r * (r * a - s * b);
-  }
-  for (std::size_t i = 0; h > 0.0 && i < n; ++i) {
-    const double mean = (end_[i] - begin_[i]) / h;
-    const double a = begin_[n + i] - mean, b = end_[n + i] - mean;
-    out[i] += h * s * r * (r * a - s * b);
-    out[n + i] = mean + r * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
-    if (!both) continue;
-    // What accelerations are beyond those of the cubic, at either end.
-    const double c = h * at_begin_.rates[n + i] + 4.0 * a + 2.0 * b;
-    const double d = h * at_end_.rates[n + i] - 2.0 * a - 4.0 * b;
-    const double w = s * s * r * r, w_s = 2.0 * s * r * (r - s);
-    out[i] += 0.5 * h * w * (r * c + s * d);
-    out[n + i] += 0.5 * (w_s * (r * c + s * d) + w * (d - c));
-  }
+  dense_.at(t, y());
   unpack(t, state);
+}
+
+/// By the weights of the last step.
+DenseStep::Norm Arkode::norm() {
+  return [this](const double* error) {
+    ARKodeGetErrWeights(active_->memory, sensible_weights_);
+    return norm_of(error);
+  };
+}
+
+/// The last step, which is another one now.
+void Arkode::know_step() {
+  know_begin(at_begin_.known ? at_begin_.rates.data() : nullptr);
+  dense_.from(
+      {.t = t_begin_, .y = begin_.data(), .rates = begin_rates_},
+      {.t = t_end_, .y = end_.data(), .rates = at_end_.known ? at_end_.rates.data() : nullptr});
+  if (look_) look_->of_last_step = false;
 }
 
 StepCounters Arkode::counters() const {
@@ -372,16 +401,25 @@ StepCounters Arkode::counters() const {
 int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
   auto& me = from<Arkode>(self);
   return me.failure_.guard([&] {
-    if (!me.calc_rates(t, NV_DATA_S(y), NV_DATA_S(y_dot))) return 1;  // try a shorter step
-    me.last_rates_ = NV_DATA_S(y_dot);
+    double* y_dot_data = NV_DATA_S(y_dot);
+    if (me.recall_rates(t, NV_DATA_S(y), y_dot_data)) return 0;
+    if (!me.calc_rates(t, NV_DATA_S(y), y_dot_data)) return 1;  // try a shorter step
+    me.last_rates_ = y_dot_data;
     me.t_rates_ = t;
-    if (t == me.t_begin_ && !me.at_begin_.known) me.keep(me.at_begin_);
+    if (t == me.t_begin_ && !me.at_begin_.known) me.keep(me.at_begin_, y_dot_data);
     return 0;
   });
 }
 
-void Arkode::keep(Slope& slope) {
-  std::copy_n(last_rates_, size_, slope.rates.begin());
+// Where the step begins, if a sample of the last one needed them.
+bool Arkode::recall_rates(double t, const double* y, double* y_dot) {
+  if (t != t_begin_ || !at_begin_.known || !std::equal(y, y + size_, begin_.begin())) return false;
+  std::ranges::copy(at_begin_.rates, y_dot);
+  return true;
+}
+
+void Arkode::keep(Slope& slope, const double* rates) {
+  std::copy_n(rates, size_, slope.rates.begin());
   slope.known = true;
 }
 

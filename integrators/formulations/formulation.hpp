@@ -72,12 +72,14 @@ class Formulation {
   virtual bool ends_projected() const { return false; }
   /// t, q, v, z and energy at a time inside the last step, not projected.
   virtual void interpolate(double t, State& state) = 0;
+  /// The same for many times in a step, within the tolerances: not as near to an event as interpolate().
+  virtual void sample(double t, State& state) { interpolate(t, state); }
   /// The same for looks into the last step: it may be less accurate, but asks for no evaluation of
   /// the equations of motion.
   virtual void glance(double t, State& state) { interpolate(t, state); }
-  /// As interpolate(), but leaves no trace: equations of motion are evaluated by `equations`, which is
+  /// As sample(), but leaves no trace: equations of motion are evaluated by `equations`, which is
   /// bound to `state`, and not with the factors that the next step may use again.
-  virtual void look(double t, State& state, Dynamics& /*equations*/) { interpolate(t, state); }
+  virtual void look(double t, State& state, Dynamics& /*equations*/) { sample(t, state); }
   /// Event slots that crossed zero upwards at time(), and those that were found to have crossed by
   /// then, at that time or earlier in the step.
   virtual const std::vector<int>& fired() const = 0;

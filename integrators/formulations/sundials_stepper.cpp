@@ -115,7 +115,12 @@ int SundialsStepper::calc_weights(N_Vector y_vector, N_Vector weights, void* use
 void SundialsStepper::begin_step() {
   std::swap(begin_, end_);
   std::swap(t_begin_, t_end_);
-  own_step_.from(t_begin_, begin_.data());
+  know_begin(nullptr);
+}
+
+void SundialsStepper::know_begin(const double* rates) {
+  begin_rates_ = rates;
+  own_step_.from(t_begin_, begin_.data(), rates);
 }
 
 void SundialsStepper::undo_step() { begin_step(); }
@@ -159,7 +164,7 @@ void SundialsStepper::refine_event(double t_limit, const OwnStep::Norm& norm) {
   if (slot == guard_.count()) return;
   const double t_found = t_, h = t_found - t_begin_;
   for (int i = 0; i < max_refinements; ++i) {
-    own_step_.from(t_begin_, begin_.data());
+    own_step_.from(t_begin_, begin_.data(), begin_rates_);
     if (!(norm ? own_step_.to(t_, refined_.data(), norm) : own_step_.to(t_, refined_.data())))
       break;
     const double* rate = own_step_.rate(t_, refined_.data());

@@ -65,6 +65,8 @@ class SundialsStepper : public Formulation {
   /// Around a step of the integrator: where it began and ended is kept. One that failed is undone.
   void begin_step();
   void undo_step();
+  /// y' where it began, which own steps need not evaluate then.
+  void know_begin(const double* rates);
   void end_step();
   /// After a root at t_: time and state there are computed anew by steps of our own from the
   /// beginning of the integrator's step, which reached t_limit. What finds no root nearby changes
@@ -104,6 +106,7 @@ class SundialsStepper : public Formulation {
   std::vector<double> q_start_;      // the base, to double precision
   std::vector<double> begin_, end_;  // y where the last step began and ended
   double t_begin_ = 0.0, t_end_ = 0.0;
+  const double* begin_rates_ = nullptr;
   OwnStep own_step_;
 
  private:

@@ -52,6 +52,8 @@ inline int ARKodeGetCurrentStep(void* m, sunrealtype* h) { return ERKStepGetCurr
 inline int ARKodeSetInitStep(void* m, sunrealtype h) { return ERKStepSetInitStep(m, h); }
 inline int ARKodeGetNumSteps(void* m, long* n) { return ERKStepGetNumSteps(m, n); }
 inline int ARKodeGetNumErrTestFails(void* m, long* n) { return ERKStepGetNumErrTestFails(m, n); }
+inline int ARKodeGetErrWeights(void* m, N_Vector w) { return ERKStepGetErrWeights(m, w); }
+inline int ARKodeGetEstLocalErrors(void* m, N_Vector e) { return ERKStepGetEstLocalErrors(m, e); }
 inline void ARKodeFree(void** m) { ERKStepFree(m); }
 #endif
 

@@ -32,10 +32,12 @@ void OwnStep::use(const ExplicitPair& pair) {
   if (k_.size() < stages) k_.resize(stages, std::vector<double>(size_));
 }
 
-void OwnStep::from(double t, const double* y) {
+void OwnStep::from(double t, const double* y, const double* rate) {
   t_ = t;
   y_ = y;
-  first_known_ = last_known_ = false;
+  first_known_ = rate != nullptr;
+  last_known_ = false;
+  if (first_known_) std::copy_n(rate, size_, k_.front().begin());
 }
 
 void OwnStep::combine(const double* weights, int count, double h, double* y) const {

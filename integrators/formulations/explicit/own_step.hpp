@@ -26,8 +26,8 @@ class OwnStep {
   /// Steps of another pair; from() is to be called again.
   void use(const ExplicitPair& pair);
 
-  /// Where steps begin; y is not copied.
-  void from(double t, const double* y);
+  /// Where steps begin; y is not copied. `rate`: y' there, if it is known.
+  void from(double t, const double* y, const double* rate = nullptr);
   /// y at t by one step, which ends there; false if the rates fail.
   bool to(double t, double* y);
   /// The same in as many steps as it takes to err by less than one in each.

@@ -90,7 +90,7 @@ void ContactPeaks::find(double from, double to, System& system, Formulation& for
           part(at == 0 ? 0 : at - 1), part(std::min(at + 1, looks - 1)), place_bits, iterations);
       // The glance is good for the place; heights of peaks that hardly differ need a step.
       if (-negative <= w.largest * (1.0 - misjudged)) continue;
-      formulation.interpolate(time(s), scratch);
+      formulation.sample(time(s), scratch);
       if (const double peak = value_of(scratch, w, system); peak > w.largest * (1.0 + rise)) {
         w.largest = peak;
         times.push_back(time(s));

@@ -78,7 +78,7 @@ Outcome RunSamples::record_in_contact(const StepSpan& step, Formulation& formula
 }
 
 Outcome RunSamples::record_at(double t, Formulation& formulation, State& scratch, Table& table) {
-  formulation.interpolate(t, scratch);
+  formulation.sample(t, scratch);
   if (Outcome outcome = measure_drift(scratch); !outcome) return outcome;
   if (!dynamics_.project(scratch)) return {false, not_projected_equation(dynamics_, t)};
   recorder_.record(scratch, table);

@@ -27,6 +27,7 @@ class SingularCrossing final : public Formulation {
   bool ends_projected() const override { return !crossing_ && inner_->ends_projected(); }
   double last_step() const override { return crossing_ ? segment_.h : inner_->last_step(); }
   void interpolate(double t, State& state) override;
+  void sample(double t, State& state) override;
   void glance(double t, State& state) override;
   void look(double t, State& state, Dynamics& equations) override;
   void restart(const State& state) override;

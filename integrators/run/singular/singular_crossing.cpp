@@ -365,6 +365,10 @@ void SingularCrossing::interpolate(double t, State& state) {
   unpack(t, y_.data(), state);
 }
 
+void SingularCrossing::sample(double t, State& state) {
+  crossing_ ? interpolate(t, state) : inner_->sample(t, state);
+}
+
 void SingularCrossing::glance(double t, State& state) {
   crossing_ ? interpolate(t, state) : inner_->glance(t, state);
 }
