@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/integrators/formulations/stiffness_switch.hpp>
 #include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
 #include <yoke/integrators/run/fingerprint.hpp>
@@ -121,8 +122,11 @@ double Run::relative_tolerance() const {
 void Run::make_formulation() {
   SimulationOptions options = options_;
   options.relative_tolerance = relative_tolerance();
+  FormulationEntry entry = entry_;
+  if (options.formulation == automatic && entry.name == formulation_registry().front().name)
+    entry.make = make_stiffness_switch;
   formulation_ = guard_singular_positions(
-      entry_, dynamics_, choose_tolerances(dynamics_.system(), state_, options),
+      entry, dynamics_, choose_tolerances(dynamics_.system(), state_, options),
       [this](const SingularPosition& position) { record_singular_position(position); });
 }
 

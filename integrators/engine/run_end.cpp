@@ -147,7 +147,13 @@ void Run::finish() {
 
 // Once, at the end: how much of the tolerance was out of reach.
 void Run::note_rounding() {
-  const double raised = formulation_->counters().raised;
+  const StepCounters counters = formulation_->counters();
+  if (counters.by_other > 0)
+    result_.summary.notes.push_back(
+        fmt::format("stiff: stability bounded explicit steps, so ida-ggl made {} of the {} steps{}",
+                    counters.by_other, counters.steps,
+                    resumed_ || checkpoints_.wanted() ? " since the last checkpoint" : ""));
+  const double raised = counters.raised;
   if (raised <= 1.0) return;
   result_.summary.notes.push_back(
       fmt::format("rounding: positions and velocities are not known to the tolerance of {:g} "

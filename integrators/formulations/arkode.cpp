@@ -10,6 +10,7 @@
 // steps. Samples are taken from a polynomial as good as the step, or from such steps where there is none.
 #include <yoke/integrators/formulations/explicit/dense_step.hpp>
 #include <yoke/integrators/formulations/explicit/order_choice.hpp>
+#include <yoke/integrators/formulations/explicit/stability_watch.hpp>
 #include <yoke/integrators/formulations/sundials_stepper.hpp>
 #include <yoke/integrators/sundials/compatibility.hpp>
 
@@ -37,6 +38,14 @@ constexpr int interpolant = 3;
 constexpr double largest_projection = 1e4;
 constexpr double least_error = 1e-6;  // that says something about the length of steps
 
+/// One over the tolerances of q, v and z.
+std::vector<double> weights_of(const Tolerances& tolerances) {
+  std::vector<double> weights;
+  for (const Eigen::VectorXd* each : {&tolerances.q, &tolerances.v, &tolerances.z})
+    for (const double tolerance : *each) weights.push_back(1.0 / tolerance);
+  return weights;
+}
+
 class Arkode final : public SundialsStepper {
  public:
   Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects);
@@ -46,6 +55,9 @@ class Arkode final : public SundialsStepper {
   Step step(double t_stop) override;
   double last_step() const override;
   bool ends_projected() const override { return projects_; }
+  bool is_bounded_by_stability() const override {
+    return watches_[touching_ ? 1 : 0].bounds_steps();
+  }
   void interpolate(double t, State& state) override;
   void sample(double t, State& state) override;
   void glance(double t, State& state) override;
@@ -85,6 +97,8 @@ class Arkode final : public SundialsStepper {
   bool projects_;
   Baumgarte stabilisation_;
   OrderChoice choice_;
+  std::array<StabilityWatch, 2> watches_;  // apart, touching
+  StabilityWatch* watch_ = watches_.data();
   std::array<Integrator, 2> integrators_;
   Integrator* active_ = nullptr;
   double other_step_ = 0.0;  // [s] with which the other order would begin
@@ -121,6 +135,7 @@ Arkode::Arkode(Dynamics& dynamics, const Tolerances& tolerances, bool projects)
       projects_(projects),
       stabilisation_(critically_damped(tolerances)),
       choice_(tolerances.relative, tolerances.order),
+      watches_{{{weights_of(tolerances), n_}, {weights_of(tolerances), n_}}},
       integrators_{{{&explicit_pair(OrderChoice::low)}, {&explicit_pair(OrderChoice::high)}}},
       scratch_(size_, context_, &groups_),
       dense_(size_, n_,
@@ -162,6 +177,7 @@ void Arkode::begin(int order, double first_step) {
   active_ =
       &*std::ranges::find(integrators_, order, [](const Integrator& i) { return i.pair->order; });
   own_step_.use(*active_->pair);
+  for (StabilityWatch& watch : watches_) watch.bound(active_->pair->stable);
   if (look_) look_->step.use(*active_->pair);
   if (active_->memory == nullptr)
     create();
@@ -184,6 +200,7 @@ void Arkode::start(const State& state) {
   know_step();
   touching_ = touches(state);
   choice_.start(touching_);
+  watch_ = &watches_[touching_ ? 1 : 0];
   begins_ = true;
   begin(choice_.order(), first_steps_[touching_ ? 1 : 0]);
   set_weights();
@@ -281,6 +298,7 @@ Step Arkode::step(double t_stop) {
   std::swap(at_begin_, at_end_);
   at_end_.known = false;
   last_rates_ = nullptr;
+  watch_->begin_step();
   const bool first = std::exchange(begins_, false);
   void* const memory = active_->memory;
   const int flag = ARKodeEvolve(memory, t_stop, y_, &t_, ARK_ONE_STEP);
@@ -308,6 +326,7 @@ Step Arkode::step(double t_stop) {
     natural_step_ = less_cautious * planned_step_;
   }
   natural_step_ = std::max(natural_step_, t_ - t_begin_);
+  watch_->end_step(t_ - t_begin_);
   if (first) note_first_step();
   if (last_rates_ != nullptr && t_rates_ == t_end_) {
     keep(at_end_, last_rates_);
@@ -404,6 +423,7 @@ int Arkode::rates(sunrealtype t, N_Vector y, N_Vector y_dot, void* self) {
     double* y_dot_data = NV_DATA_S(y_dot);
     if (me.recall_rates(t, NV_DATA_S(y), y_dot_data)) return 0;
     if (!me.calc_rates(t, NV_DATA_S(y), y_dot_data)) return 1;  // try a shorter step
+    me.watch_->see(t, NV_DATA_S(y), y_dot_data);
     me.last_rates_ = y_dot_data;
     me.t_rates_ = t;
     if (t == me.t_begin_ && !me.at_begin_.known) me.keep(me.at_begin_, y_dot_data);

@@ -138,6 +138,7 @@ void Cvode::create(double t) {
   CVodeWFtolerances(memory_, &Cvode::calc_weights);
   equations_ ? attach_newton() : attach_fixed_point();
   CVodeSetMaxErrTestFails(memory_, 30);
+  if (std::isfinite(tolerances_.longest_step)) CVodeSetMaxStep(memory_, tolerances_.longest_step);
   CVodeSetMaxConvFails(memory_, 30);
   if (guard_.count() > 0) {
     CVodeRootInit(memory_, guard_.count(), &Cvode::events);

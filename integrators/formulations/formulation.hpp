@@ -27,6 +27,9 @@ struct Tolerances {
   double natural_rate = 1.0;    // [1/s] grows with the time scale and slowly with the tolerance
   double spectral_radius = 0.8;  // at infinity, formulation generalised-alpha only
   int order = 0;                 // of explicit Runge-Kutta steps; 0: the run chooses
+  /// [s] No step of a method without stages in between may be longer: its error test does not see the stroke
+  /// of a driver there.
+  double longest_step = std::numeric_limits<double>::infinity();
 };
 
 /// The least a position can be weighted with: a few units in its last place. Weights do not depend
@@ -53,6 +56,7 @@ struct StepCounters {
   long evaluations = 0;    // of forces for residuals of its own, besides accelerations
   FactorCounters factors;  // of matrices of its own, besides the saddle matrix
   double raised = 1.0;     // largest factor by which rounding raised a tolerance
+  long by_other = 0;  // steps made by the formulation that takes over in `stiffness_switch.hpp`
 };
 
 class Formulation {
@@ -63,6 +67,8 @@ class Formulation {
   /// As start(), where only loads have changed, as after a controller's sample: what is known of the
   /// step size stays.
   virtual void restart(const State& state) { start(state); }
+  /// From the next step on its tolerances are this share of those it was made with, if it can do that.
+  virtual void tighten(double /*share*/) {}
   /// One step, not beyond `t_stop`. `event`: the step ended at a root, see time() and fired(); the
   /// caller may restart there or simply continue.
   virtual Step step(double t_stop) = 0;
@@ -70,6 +76,8 @@ class Formulation {
   virtual double last_step() const = 0;
   /// Do its steps end on the constraints?
   virtual bool ends_projected() const { return false; }
+  /// Of an explicit method: is it stability that has bounded its last steps, not accuracy?
+  virtual bool is_bounded_by_stability() const { return false; }
   /// t, q, v, z and energy at a time inside the last step, not projected.
   virtual void interpolate(double t, State& state) = 0;
   /// The same for many times in a step, within the tolerances: not as near to an event as interpolate().

@@ -298,6 +298,7 @@ bool GeneralisedAlpha::take_controlled_step(double t_stop) {
       return false;
     }
     const double rest = t_stop - end_.t;
+    h_next_ = std::min(h_next_, tolerances_.longest_step);
     if (guard_.count() > 0) h_next_ = std::min(h_next_, largest_turn / fastest_turn());
     const bool to_stop = h_next_ * (1.0 + 1e-9) >= rest;
     const double aim = !to_stop && 2.0 * h_next_ > rest ? 0.5 * rest : h_next_;

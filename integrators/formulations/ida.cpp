@@ -152,6 +152,7 @@ void Ida::create(double t) {
   IDASetJacFn(memory_, &Ida::jacobian);
   IDASetDeltaCjLSetup(memory_, step_change);
   IDASetMaxErrTestFails(memory_, 30);
+  if (std::isfinite(tolerances_.longest_step)) IDASetMaxStep(memory_, tolerances_.longest_step);
   IDASetMaxConvFails(memory_, 30);
   if (guard_.count() > 0) {
     IDARootInit(memory_, guard_.count(), &Ida::events);

@@ -99,7 +99,7 @@ void SundialsStepper::set_weights() {
 
 int SundialsStepper::calc_weights(N_Vector y_vector, N_Vector weights, void* user_data) {
   auto& me = *static_cast<SundialsStepper*>(user_data);
-  N_VScale(1.0, me.weights_, weights);
+  N_VScale(1.0 / me.share_, me.weights_, weights);
   const double* y = NV_DATA_S(y_vector);
   double* w = NV_DATA_S(weights);
   me.floor_.apply(me.q_of(y), me.v_of(y), w, w + me.n_);

@@ -24,6 +24,7 @@ namespace yoke {
 
 class SundialsStepper : public Formulation {
  public:
+  void tighten(double share) override { share_ = share; }
   double time() const override { return t_; }
   const std::vector<int>& fired() const override { return guard_.fired(); }
   const std::vector<int>& passed() const override { return guard_.passed(); }
@@ -99,6 +100,7 @@ class SundialsStepper : public Formulation {
   ErrorGroups groups_;
   SundialsVector y_, weights_;
   SundialsVector sensible_weights_;  // within the floor of rounding
+  double share_ = 1.0;  // of the tolerances, that is asked for
   double t_ = 0.0;
   double t_stop_ = 0.0;              // as the integrator knows it
   std::vector<int> found_;           // [events]

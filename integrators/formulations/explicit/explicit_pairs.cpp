@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace yoke {
 
@@ -55,6 +57,26 @@ ARKodeButcherTable make_verner() {
   return ARKodeButcherTable_Create(verner_stages, 7, 6, c.data(), a.data(), b.data(), judge.data());
 }
 
+/// Of a solution of y' = -y over one step.
+double growth(const ARKodeButcherTableMem& table, double step) {
+  std::vector<double> k(static_cast<std::size_t>(table.stages));
+  double y = 1.0;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    double stage = 1.0;
+    for (std::size_t j = 0; j < i; ++j) stage += step * table.A[i][j] * k[j];
+    k[i] = -stage;
+    y += step * table.b[i] * k[i];
+  }
+  return std::abs(y);
+}
+
+double find_stable(const ARKodeButcherTableMem& table) {
+  constexpr double resolution = 1e-3;
+  double step = 1.0;
+  while (growth(table, step + resolution) <= 1.0) step += resolution;
+  return step;
+}
+
 ExplicitPair describe(ARKodeButcherTable table) {
   const int last = table->stages - 1;
   int stages = table->stages;
@@ -63,7 +85,8 @@ ExplicitPair describe(ARKodeButcherTable table) {
           .table = table,
           .stages = stages,
           .first_same_as_last =
-              table->c[last] == 1.0 && std::equal(table->b, table->b + last, table->A[last])};
+              table->c[last] == 1.0 && std::equal(table->b, table->b + last, table->A[last]),
+          .stable = find_stable(*table)};
 }
 
 }  // namespace

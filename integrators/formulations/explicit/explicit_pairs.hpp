@@ -17,6 +17,7 @@ struct ExplicitPair {
   const ARKodeButcherTableMem* table;  ///< coefficients
   int stages;                          ///< that the solution needs
   bool first_same_as_last;             ///< is the last stage the first of the next step?
+  double stable;                       ///< what a step times a rate of decay may be
   /// Evaluations in a step behind which the solution is moved, by a projection, or not.
   int evaluations(bool moved) const;
 };

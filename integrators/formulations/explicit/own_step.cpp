@@ -94,7 +94,7 @@ bool OwnStep::to(double t, double* y, const Norm& norm) {
   double t_next = t;
   for (int i = 0; i < most_parts; ++i) {
     if (!to(t_next, y) || rate(t_next, y) == nullptr) return false;
-    if (error(t_next, y, norm) > 1.0 && i + 1 < most_parts) {
+    if (!(error(t_next, y, norm) <= 1.0)) {
       t_next = t_ + next_attempt * (t_next - t_);
       continue;
     }

@@ -30,7 +30,8 @@ class OwnStep {
   void from(double t, const double* y, const double* rate = nullptr);
   /// y at t by one step, which ends there; false if the rates fail.
   bool to(double t, double* y);
-  /// The same in as many steps as it takes to err by less than one in each.
+  /// The same in as many steps as it takes to err by less than one in each; false if these are too many, as
+  /// where explicit steps are not stable.
   bool to(double t, double* y, const Norm& norm);
   /// y' at the end of to(); null if it fails.
   const double* rate(double t, const double* y);

@@ -77,7 +77,7 @@ class SingularCrossing final : public Formulation {
   void unpack(double t, const double* y, State& state) const;
   void check_redundant(double t, const double* q);
 
-  const FormulationEntry& entry_;
+  FormulationEntry entry_;
   Dynamics& dynamics_;
   Tolerances tolerances_;
   double shortest_ = shortest_apart;

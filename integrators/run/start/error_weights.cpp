@@ -171,6 +171,9 @@ double driven_exchange(System& system, const State& state, double until) {
   return work;
 }
 
+// A driver that stands at the start, goes and comes back is seen by none of the first error estimates.
+constexpr double least_steps_driven = 32.0;
+
 }  // namespace
 
 Tolerances choose_tolerances(System& system, const State& state, const SimulationOptions& options) {
@@ -178,8 +181,10 @@ Tolerances choose_tolerances(System& system, const State& state, const Simulatio
   Tolerances tolerances = choose_tolerances(system, options);
   double exchanged = state.energy.size() > 0 ? state.energy.cwiseAbs().maxCoeff() : 0.0;
   const auto drives = [](const ConstraintSlot& c) { return c.element->rheonomic(); };
-  if (std::ranges::any_of(system.constraints(), drives))
+  if (std::ranges::any_of(system.constraints(), drives)) {
     exchanged = std::max(exchanged, driven_exchange(system, state, options.until));
+    tolerances.longest_step = (options.until - state.t) / least_steps_driven;
+  }
   tolerances.energy = std::max(tolerances.energy, rounding_of(exchanged));
   return tolerances;
 }
