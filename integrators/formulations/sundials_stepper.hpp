@@ -100,7 +100,7 @@ class SundialsStepper : public Formulation {
   ErrorGroups groups_;
   SundialsVector y_, weights_;
   SundialsVector sensible_weights_;  // within the floor of rounding
-  double share_ = 1.0;  // of the tolerances, that is asked for
+  double share_ = 1.0;               // of the tolerances, that is asked for
   double t_ = 0.0;
   double t_stop_ = 0.0;              // as the integrator knows it
   std::vector<int> found_;           // [events]
