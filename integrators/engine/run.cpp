@@ -123,7 +123,8 @@ void Run::make_formulation() {
   SimulationOptions options = options_;
   options.relative_tolerance = relative_tolerance();
   FormulationEntry entry = entry_;
-  if (options.formulation == automatic && entry.name == formulation_registry().front().name)
+  const bool free = result_.summary.formulation_reason != asked_for;
+  if (free && entry.name == formulation_registry().front().name)
     entry.make = make_stiffness_switch;
   formulation_ = guard_singular_positions(
       entry, dynamics_, choose_tolerances(dynamics_.system(), state_, options),

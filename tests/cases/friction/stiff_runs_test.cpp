@@ -9,6 +9,7 @@
 
 #include <yoke/cases/case.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/tests/files.hpp>
 
 namespace {
 
@@ -44,6 +45,28 @@ TEST_CASE("where friction is so stiff that stability bounds explicit steps, BDF 
     CHECK(chosen.events.size() == steps.events.size());
     // It is not paid with accuracy: the ledger still closes.
     CHECK(chosen.summary.energy_balance < 1e-4 * chosen.summary.energy_exchanged + 1e-9);
+  }
+}
+
+TEST_CASE("a stiff run that was killed goes on bit for bit, whoever made its steps") {
+  const cases::Case& c = cases::find_case("gear_selector");
+  const cases::Parameters parameters(c.parameters, {});
+  const Model model = cases::make_model(c, parameters);
+  for (const char* formulation : {"automatic", "arkode-projection"}) {
+    CAPTURE(formulation);
+    const tests::TemporaryFolder scratch;
+    SimulationOptions options{.until = 0.1,
+                              .relative_tolerance = 1e-4,
+                              .formulation = formulation,
+                              .samples = 21,
+                              .checkpoints = {.folder = scratch.path(), .every = 0.02}};
+    const Result whole = simulate(model, options);
+    options.observer = [](const Progress& p) { return p.t < 0.07; };
+    simulate(model, options);
+    const Result resumed = resume(model, scratch.path());
+    REQUIRE(resumed.samples.rows() == whole.samples.rows());
+    CHECK(resumed.samples.data() == whole.samples.data());
+    CHECK((whole.summary.jacobians > 0) == (std::string(formulation) == "automatic"));
   }
 }
 
