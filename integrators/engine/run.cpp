@@ -124,8 +124,7 @@ void Run::make_formulation() {
   options.relative_tolerance = relative_tolerance();
   FormulationEntry entry = entry_;
   const bool free = result_.summary.formulation_reason != asked_for;
-  if (free && entry.name == formulation_registry().front().name)
-    entry.make = make_stiffness_switch;
+  if (free && entry.name == formulation_registry().front().name) entry.make = make_stiffness_switch;
   formulation_ = guard_singular_positions(
       entry, dynamics_, choose_tolerances(dynamics_.system(), state_, options),
       [this](const SingularPosition& position) { record_singular_position(position); });
