@@ -142,6 +142,7 @@ int linear_combination(int count, sunrealtype* c, N_Vector* x, N_Vector z) {
     const double* first = NV_DATA_S(x[0]) + begin;
     for (std::size_t i = 0; i < m; ++i) part[i] = c[0] * first[i];
     for (int k = 1; k < count; ++k) {
+      if (c[k] == 0.0) continue;  // as many coefficients of Runge-Kutta methods are
       const double* next = NV_DATA_S(x[k]) + begin;
       for (std::size_t i = 0; i < m; ++i) part[i] += c[k] * next[i];
     }

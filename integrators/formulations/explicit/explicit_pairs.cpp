@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace yoke {
@@ -71,10 +72,15 @@ double growth(const ARKodeButcherTableMem& table, double step) {
 }
 
 double find_stable(const ARKodeButcherTableMem& table) {
-  constexpr double resolution = 1e-3;
-  double step = 1.0;
-  while (growth(table, step + resolution) <= 1.0) step += resolution;
-  return step;
+  constexpr double stride = 0.1;
+  constexpr int halvings = 20;
+  double stable = stride, not_stable = 2.0 * stride;
+  while (growth(table, not_stable) <= 1.0) stable = std::exchange(not_stable, not_stable + stride);
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (stable + not_stable);
+    (growth(table, middle) <= 1.0 ? stable : not_stable) = middle;
+  }
+  return stable;
 }
 
 ExplicitPair describe(ARKodeButcherTable table) {
