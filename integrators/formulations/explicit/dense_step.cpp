@@ -19,7 +19,7 @@ constexpr std::array<double, most_nodes> nodes = {0.15, 0.4, 0.9, 0.55};
 // they are made again.
 constexpr std::size_t evaluations[] = {0, 1, 2, 0, 1, 2, 3, 0, 1};
 // Of what an evaluation changes, in tolerances: the first may be more than the last, by far.
-constexpr double enough = 0.3, enough_at_last = 2.0, hopeless = 1e7;
+constexpr double enough = 0.3, enough_at_last = 1.0, hopeless = 1e7;
 constexpr double stagnant = 0.5;  // of the first evaluation to the second
 constexpr double again = 0.02;    // about what is left of a change when its node is evaluated again
 
@@ -47,7 +47,7 @@ std::array<double, 3> derivatives(int zeros, const Powers& powers, double s) {
 /// is one there, and none at the others.
 struct Cardinal {
   std::array<Powers, most_nodes> powers{};
-  std::array<double, most_nodes> largest{}, steepest{};  // within the step
+  std::array<double, most_nodes> largest{};  // within the step
 
   Cardinal(int zeros, std::size_t count) {
     const auto size = static_cast<Eigen::Index>(count),
@@ -64,9 +64,7 @@ struct Cardinal {
     for (std::size_t k = 0; k < count; ++k) {
       std::copy_n(all.col(static_cast<Eigen::Index>(k)).data(), count, powers[k].begin());
       for (int i = 1; i < 64; ++i) {
-        const auto [value, slope, curvature] = derivatives(zeros, powers[k], i / 64.0);
-        largest[k] = std::max(largest[k], std::abs(value));
-        steepest[k] = std::max(steepest[k], std::abs(slope));
+        largest[k] = std::max(largest[k], std::abs(derivatives(zeros, powers[k], i / 64.0)[0]));
       }
     }
   }
@@ -144,30 +142,28 @@ bool DenseStep::evaluate(std::size_t node) {
   std::vector<double>& beyond = beyond_[node];
   at(begin_.t + s * h_, stage_.data());
   if (!rates_(begin_.t + s * h_, stage_.data(), change_.data())) return false;
+  std::copy_n(change_.begin() + static_cast<std::ptrdiff_t>(n_), n_, change_.begin());
   calc_hermite_rates(s, scratch_.data());
-  for (std::size_t i = n_; i < size_; ++i) change_[i] -= scratch_[i];
+  for (std::size_t i = 0; i < size_; ++i) change_[i] -= scratch_[i];
   if (node == count_) {
     std::ranges::fill(beyond, 0.0);
     for (std::size_t k = 0; k < count_; ++k) {
       const auto [by_acceleration, by_rate] = factors(k, s);
-      for (std::size_t i = n_; i < size_; ++i)
-        beyond[i] += (i < 2 * n_ ? by_acceleration[2] : by_rate[1]) * beyond_[k][i];
+      for (std::size_t i = 0; i < size_; ++i)
+        beyond[i] += (i < n_ ? by_acceleration[2] : by_rate[1]) * beyond_[k][i];
     }
     ++count_;
   }
-  for (std::size_t i = n_; i < size_; ++i) change_[i] -= std::exchange(beyond[i], change_[i]);
+  for (std::size_t i = 0; i < size_; ++i) change_[i] -= std::exchange(beyond[i], change_[i]);
   return true;
 }
 
 // Of the last change, in tolerances.
 double DenseStep::size_of_change(std::size_t node, const Norm& norm) {
   const auto& [by_acceleration, by_rate] = additions(count_);
-  for (std::size_t i = 0; i < n_; ++i) {
-    scratch_[i] = h_ * h_ * by_acceleration.largest[node] * change_[n_ + i];
-    scratch_[n_ + i] = h_ * by_acceleration.steepest[node] * change_[n_ + i];
-  }
-  for (std::size_t i = 2 * n_; i < size_; ++i)
-    scratch_[i] = h_ * by_rate.largest[node] * change_[i];
+  for (std::size_t i = 0; i < n_; ++i)
+    scratch_[i] = h_ * h_ * by_acceleration.largest[node] * change_[i];
+  for (std::size_t i = n_; i < size_; ++i) scratch_[i] = h_ * by_rate.largest[node] * change_[i];
   return norm(scratch_.data());
 }
 
@@ -178,56 +174,79 @@ DenseStep::Factors DenseStep::factors(std::size_t node, double s) const {
 }
 
 void DenseStep::at(double t, double* y) const {
-  const double s = h_ > 0.0 ? (t - begin_.t) / h_ : 1.0, r = 1.0 - s, h = h_;
-  const bool both = begin_.rates != nullptr && end_.rates != nullptr;
-  const double *from = begin_.y, *to = end_.y, *rate = begin_.rates, *end_rate = end_.rates;
-  if (!(h > 0.0)) {
-    std::copy_n(to, size_, y);
+  if (!(h_ > 0.0)) {
+    std::copy_n(end_.y, size_, y);
     return;
   }
+  const double s = (t - begin_.t) / h_;
+  if (begin_.rates == nullptr || end_.rates == nullptr) return calc_cubic(s, y);
+  calc_quintic(s, y, count_ == 0);
+  calc_hermite(s, count_ == 0 ? 2 * n_ : n_, y);
+  for (std::size_t k = 0; k < count_; ++k) {
+    const std::vector<double>& beyond = beyond_[k];
+    const auto [by_acceleration, by_rate] = factors(k, s);
+    for (std::size_t i = 0; i < n_; ++i) y[i] += h_ * h_ * by_acceleration[0] * beyond[i];
+    for (std::size_t i = n_; i < size_; ++i) y[i] += h_ * by_rate[0] * beyond[i];
+  }
+}
+
+// Without rates: positions by velocities, velocities by the derivative, the rest along a line.
+void DenseStep::calc_cubic(double s, double* y) const {
+  const double h = h_, r = 1.0 - s, *from = begin_.y, *to = end_.y;
   for (std::size_t i = 0; i < n_; ++i) {
     const std::size_t j = n_ + i;
     const double mean = (to[i] - from[i]) / h, a = from[j] - mean, b = to[j] - mean;
     y[i] = from[i] + s * (to[i] - from[i]) + h * s * r * (r * a - s * b);
     y[j] = mean + r * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
-    if (!both) continue;
-    // What accelerations are beyond those of the cubic, at either end.
-    const double c = h * rate[j] + 4.0 * a + 2.0 * b, d = h * end_rate[j] - 2.0 * a - 4.0 * b;
-    const double w = s * s * r * r, w_s = 2.0 * s * r * (r - s);
+  }
+  for (std::size_t i = 2 * n_; i < size_; ++i) y[i] = from[i] + s * (to[i] - from[i]);
+}
+
+// Positions by velocities and accelerations, and velocities by the derivative if they are wanted.
+void DenseStep::calc_quintic(double s, double* y, bool velocities) const {
+  calc_cubic(s, y);
+  const double h = h_, r = 1.0 - s, w = s * s * r * r, w_s = 2.0 * s * r * (r - s);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const auto [c, d] = beyond_cubic(i);
     y[i] += 0.5 * h * w * (r * c + s * d);
-    y[j] += 0.5 * (w_s * (r * c + s * d) + w * (d - c));
-  }
-  for (std::size_t i = 2 * n_; i < size_; ++i) {
-    const double mean = to[i] - from[i];
-    y[i] = from[i] + s * mean;
-    if (both) y[i] += s * r * (r * (h * rate[i] - mean) - s * (h * end_rate[i] - mean));
-  }
-  for (std::size_t k = 0; k < count_; ++k) {
-    const std::vector<double>& beyond = beyond_[k];
-    const auto [by_acceleration, by_rate] = factors(k, s);
-    for (std::size_t i = 0; i < n_; ++i) {
-      y[i] += h * h * by_acceleration[0] * beyond[n_ + i];
-      y[n_ + i] += h * by_acceleration[1] * beyond[n_ + i];
-    }
-    for (std::size_t i = 2 * n_; i < size_; ++i) y[i] += h * by_rate[0] * beyond[i];
+    if (velocities) y[n_ + i] += 0.5 * (w_s * (r * c + s * d) + w * (d - c));
   }
 }
 
-// y' of the polynomial through the ends alone, but for positions.
+/// What accelerations are beyond those of the cubic, at either end, times the step.
+std::pair<double, double> DenseStep::beyond_cubic(std::size_t i) const {
+  const std::size_t j = n_ + i;
+  const double mean = (end_.y[i] - begin_.y[i]) / h_, a = begin_.y[j] - mean, b = end_.y[j] - mean;
+  return {h_ * begin_.rates[j] + 4.0 * a + 2.0 * b, h_ * end_.rates[j] - 2.0 * a - 4.0 * b};
+}
+
+// Entries from `first` on by their rates alone. Velocities too, once they are raised: as the derivative
+// of positions they would bear what these err at the ends, over the step.
+void DenseStep::calc_hermite(double s, std::size_t first, double* y) const {
+  const double h = h_, r = 1.0 - s;
+  for (std::size_t i = first; i < size_; ++i) {
+    const double mean = end_.y[i] - begin_.y[i];
+    y[i] = begin_.y[i] + s * mean +
+           s * r * (r * (h * begin_.rates[i] - mean) - s * (h * end_.rates[i] - mean));
+  }
+}
+
+// Of the polynomials through the ends alone: accelerations of the positions' in place of these, and rates
+// of all others.
 void DenseStep::calc_hermite_rates(double s, double* y_dot) const {
-  const double r = 1.0 - s, h = h_;
-  const double *from = begin_.y, *to = end_.y, *rate = begin_.rates, *end_rate = end_.rates;
-  for (std::size_t j = n_; j < 2 * n_; ++j) {
-    const double mean = (to[j - n_] - from[j - n_]) / h, a = from[j] - mean, b = to[j] - mean;
-    const double c = h * rate[j] + 4.0 * a + 2.0 * b, d = h * end_rate[j] - 2.0 * a - 4.0 * b;
-    y_dot[j] =
+  const double r = 1.0 - s, h = h_, *from = begin_.y, *to = end_.y;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double mean = (to[i] - from[i]) / h, a = from[n_ + i] - mean, b = to[n_ + i] - mean;
+    const auto [c, d] = beyond_cubic(i);
+    y_dot[i] =
         ((6.0 * s - 4.0) * a - (2.0 - 6.0 * s) * b + r * (r * r - 6.0 * s * r + 3.0 * s * s) * c +
          s * (3.0 * r * r - 6.0 * s * r + s * s) * d) /
         h;
   }
-  for (std::size_t i = 2 * n_; i < size_; ++i) {
-    const double mean = (to[i] - from[i]) / h, a = rate[i] - mean, b = end_rate[i] - mean;
-    y_dot[i] = mean + r * (1.0 - 3.0 * s) * a + s * (3.0 * s - 2.0) * b;
+  for (std::size_t i = n_; i < size_; ++i) {
+    const double mean = (to[i] - from[i]) / h;
+    y_dot[i] = mean + r * (1.0 - 3.0 * s) * (begin_.rates[i] - mean) +
+               s * (3.0 * s - 2.0) * (end_.rates[i] - mean);
   }
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include <yoke/integrators/formulations/explicit/own_step.hpp>
@@ -36,8 +37,8 @@ class DenseStep {
   bool raise(const Norm& norm);
   /// y' at the end of the step, if it is known by now, or null.
   const double* end_rates() const { return end_.rates; }
-  /// Positions by Hermite's quintic where accelerations are known at both ends, or cubic, velocities by
-  /// its derivative; the rest by a cubic or linear; and what raise() has added.
+  /// Before raise(): positions by Hermite's quintic where accelerations are known at both ends, or cubic,
+  /// velocities by its derivative; the rest by a cubic or linear. Behind it: within the tolerance.
   void at(double t, double* y) const;
 
  private:
@@ -51,7 +52,11 @@ class DenseStep {
   bool find_slopes();
   bool evaluate(std::size_t node);
   double size_of_change(std::size_t node, const Norm& norm);
+  void calc_cubic(double s, double* y) const;
+  void calc_quintic(double s, double* y, bool velocities) const;
+  void calc_hermite(double s, std::size_t first, double* y) const;
   void calc_hermite_rates(double s, double* y_dot) const;
+  std::pair<double, double> beyond_cubic(std::size_t i) const;
   Factors factors(std::size_t node, double s) const;
 
   Rates rates_;

@@ -84,14 +84,14 @@ TEST_CASE("what lies within a step is within the tolerance, by as many evaluatio
 }
 
 TEST_CASE("the polynomial within a step is exact for a polynomial of its degree") {
-  // Two slopes and two evaluations within, and two that find nothing to change: degree 7 in positions, 5
-  // in what has rates only.
-  const Exact motion = {[](double t) { return std::pow(t, 7.0); },
-                        [](double t) { return 7.0 * std::pow(t, 6.0); },
+  // Two slopes and two evaluations within, and two that find nothing to change: degree 5 in velocities and
+  // what else has rates only, more in positions.
+  const Exact motion = {[](double t) { return std::pow(t, 6.0); },
+                        [](double t) { return 6.0 * std::pow(t, 5.0); },
                         [](double t) { return std::pow(t, 5.0); },
                         [](double t, const double* y, double* y_dot) {
                           y_dot[0] = y[1];
-                          y_dot[1] = 42.0 * std::pow(t, 5.0);
+                          y_dot[1] = 30.0 * std::pow(t, 4.0);
                           y_dot[2] = 5.0 * std::pow(t, 4.0);
                           return true;
                         }};
