@@ -354,11 +354,13 @@ void Arkode::interpolate(double t, State& state) {
 }
 
 void Arkode::sample(double t, State& state) {
-  if (t == t_end_ || !dense_.raise(norm())) return interpolate(t, state);
+  if (t == t_end_) return interpolate(t, state);
+  const bool good = dense_.raise(norm());
+  // The next step begins with what it needed at the end of this one.
+  if (!at_end_.known && dense_.end_rates() != nullptr) keep(at_end_, dense_.end_rates());
+  if (!good) return interpolate(t, state);
   dense_.at(t, y());
   unpack(t, state);
-  // The next step begins with it.
-  if (!at_end_.known) keep(at_end_, dense_.end_rates());
 }
 
 void Arkode::look(double t, State& state, Dynamics& equations) {

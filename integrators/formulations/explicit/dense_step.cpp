@@ -63,9 +63,8 @@ struct Cardinal {
     const Eigen::MatrixXd all = at_nodes.inverse();
     for (std::size_t k = 0; k < count; ++k) {
       std::copy_n(all.col(static_cast<Eigen::Index>(k)).data(), count, powers[k].begin());
-      for (int i = 1; i < 64; ++i) {
+      for (int i = 1; i < 64; ++i)
         largest[k] = std::max(largest[k], std::abs(derivatives(zeros, powers[k], i / 64.0)[0]));
-      }
     }
   }
 };
