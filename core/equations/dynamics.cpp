@@ -31,21 +31,28 @@ SaddleLayout Dynamics::layout() const {
   SaddleLayout layout{.mass = system_.mass(),
                       .dof = system_.dof(),
                       .blocks = {},
-                      .entries = {},
+                      .entries = [this] { return entries(); },
                       .left_out = system_.left_out_rows(),
                       .switched = {},
                       .rows = system_.rows()};
   for (const ConstraintSlot& c : system_.holds()) layout.switched.push_back(c.row);
-  for (const ConstraintSlot& c : system_.constraints()) {
+  layout.blocks.reserve(system_.constraints().size());
+  for (const ConstraintSlot& c : system_.constraints())
     layout.blocks.push_back({c.row, c.rows, c.columns, c.dofs, c.block});
+  return layout;
+}
+
+std::vector<JacobianEntry> Dynamics::entries() const {
+  std::vector<JacobianEntry> entries;
+  entries.reserve(system_.jacobian_size());
+  for (const ConstraintSlot& c : system_.constraints())
     for (int i = 0; i < c.rows; ++i)
       for (int j = 0; j < c.columns; ++j) {
         const int dof = system_.dof()[at(c.dofs + j)];
         if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_left_out(c.row + i)) continue;
-        layout.entries.push_back({c.block + i * c.columns + j, c.row + i, dof});
+        entries.push_back({c.block + i * c.columns + j, c.row + i, dof});
       }
-  }
-  return layout;
+  return entries;
 }
 
 void Dynamics::leave_out(const std::vector<int>& rows) {

@@ -160,6 +160,7 @@ class Dynamics {
   static constexpr int max_projection_iterations = 12;
 
   SaddleLayout layout() const;
+  std::vector<JacobianEntry> entries() const;
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
   bool improve_velocity(double* v, Rows which = Rows::all);

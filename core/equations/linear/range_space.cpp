@@ -39,6 +39,7 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   if (!have_mass || layout.rows == 0) return nullptr;
   std::unique_ptr<RangeSpace> made(new RangeSpace);
   made->dofs_ = layout.dofs();
+  made->mobility_.reserve(layout.mass.size());
   for (const double m : layout.mass) made->mobility_.push_back(1.0 / m);
   made->add_nodes(layout);
   const int columns = static_cast<int>(made->nodes_.size()) - 1;
@@ -61,6 +62,8 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
 }
 
 void RangeSpace::add_nodes(const SaddleLayout& layout) {
+  nodes_.reserve(layout.blocks.size() + 1);
+  parts_.reserve(layout.dof.size() / 3 + 1);
   for (const JacobianBlock& c : layout.blocks)
     for (int i = 0; i < c.rows; i += 2) {
       const bool both = i + 1 < c.rows;
@@ -112,6 +115,8 @@ void RangeSpace::put_in_order(const std::vector<int>& order) {
   const std::vector<Part> parts = std::move(parts_);
   nodes_.clear();
   parts_.clear();
+  nodes_.reserve(nodes.size());
+  parts_.reserve(parts.size() + 1);
   for (const int k : order) {
     Node node = nodes[at(k)];
     const auto begin = parts.begin() + node.part, end = parts.begin() + nodes[at(k + 1)].part;
@@ -132,6 +137,7 @@ void RangeSpace::find_products() {
   const BlockPattern& pattern = factors_->pattern();
   const int blocks = columns + static_cast<int>(pattern.row.size());
   std::vector<bool> used(at(blocks), false);
+  products_.reserve(pattern.row.size());
   for (int k = 0; k < columns; ++k) {
     nodes_[at(k)].place = 4 * pattern.place(k, k);
     for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) {
