@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace yoke {
 
@@ -78,6 +79,11 @@ void check_together(const ForceElement& element, const double* values) {
   }
 }
 
+std::uint32_t hash_of(std::string_view name) {
+  const std::uint64_t hash = std::hash<std::string_view>{}(name);
+  return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+}
+
 void check_finite(const std::string& owner, const Body& body) {
   require_finite(owner, "pose x", body.pose.position.x());
   require_finite(owner, "pose y", body.pose.position.y());
@@ -95,18 +101,18 @@ void check_finite(const std::string& owner, const Body& body) {
 
 Model::Model() {
   bodies_.push_back(Body{.name = "ground"});
-  body_index_.emplace("ground", 0);
+  take_name(Owner::body, 0);
 }
 
 BodyId Model::add(Body body) {
-  const std::string owner = fmt::format("body '{}'", body.name);
+  const std::string owner = "body '" + body.name + "'";
   check_name("a body", body.name);
-  require_free(owner, body.name);
+  require_free("body", body.name);
   require_not_negative(owner, "mass", body.mass, "kg");
   require_not_negative(owner, "inertia", body.inertia, "kg m^2");
   check_finite(owner, body);
-  body_index_.emplace(body.name, body_count() + 1);
   bodies_.push_back(std::move(body));
+  take_name(Owner::body, body_count());
   return BodyId{body_count()};
 }
 
@@ -118,35 +124,74 @@ const Body& Model::body(BodyId id) const {
 }
 
 BodyId Model::find_body(std::string_view name) const {
-  if (const auto found = body_index_.find(std::string(name)); found != body_index_.end())
-    return BodyId{found->second};
+  if (const Taken& found = names_[place_of(name)]; found.owner == Owner::body)
+    return BodyId{found.index};
   throw ModelError(fmt::format("unknown body '{}': the model has {}", name, known_names(bodies_)));
 }
 
-void Model::check_new_element(const std::string& name, const std::vector<BodyId>& bodies) {
+void Model::check_new_element(const std::string& name, const std::vector<BodyId>& bodies) const {
   check_name("a joint or force", name);
   for (const BodyId id : bodies)
     if (id.index < 0 || id.index > body_count())
       throw ModelError(fmt::format("'{}': unknown body {}: the model has bodies 0 to {}", name,
                                    id.index, body_count()));
   std::vector<int> indices;
+  indices.reserve(bodies.size());
   for (const BodyId id : bodies) indices.push_back(id.index);
   std::ranges::sort(indices);
   if (const auto twice = std::ranges::adjacent_find(indices); twice != indices.end())
     throw ModelError(fmt::format(
         "'{}': body '{}' is given twice; a joint or force acts between different bodies", name,
         body(BodyId{*twice}).name));
-  require_free(fmt::format("joint or force '{}'", name), name);
-  element_names_.insert(name);
+  require_free("joint or force", name);
 }
 
 void Model::require_free(std::string_view what, const std::string& name) const {
-  const bool body = body_index_.contains(name);
-  if (!body && !element_names_.contains(name)) return;
+  const Owner owner = names_[place_of(name)].owner;
+  if (owner == Owner::nobody) return;
   throw ModelError(
-      fmt::format("{}: this name is taken by a {}; names of a model are unique, because "
+      fmt::format("{} '{}': this name is taken by a {}; names of a model are unique, because "
                   "columns of results are found by them",
-                  what, body ? "body" : "joint or force"));
+                  what, name, owner == Owner::body ? "body" : "joint or force"));
+}
+
+const std::string& Model::name_of(const Taken& taken) const {
+  const auto i = static_cast<std::size_t>(taken.index);
+  if (taken.owner == Owner::body) return bodies_[i].name;
+  return taken.owner == Owner::constraint ? constraints_[i]->name() : forces_[i]->name();
+}
+
+/// In names_: of this name, or of the empty entry where it would be.
+std::size_t Model::place_of(std::string_view name) const {
+  const std::uint32_t hash = hash_of(name);
+  const std::size_t mask = names_.size() - 1;
+  for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+    const Taken& taken = names_[i];
+    const bool empty = taken.owner == Owner::nobody;
+    if (empty || (taken.hash == hash && name_of(taken) == name)) return i;
+  }
+}
+
+/// Of a body or element that the model has now, and whose name was free.
+void Model::take_name(Owner owner, int index) {
+  if (2 * (name_count_ + 1) > names_.size()) grow_names();
+  ++name_count_;
+  Taken taken{.owner = owner, .index = index};
+  const std::string& name = name_of(taken);
+  taken.hash = hash_of(name);
+  names_[place_of(name)] = taken;
+}
+
+void Model::grow_names() {
+  const std::vector<Taken> before = std::move(names_);
+  names_.assign(std::max<std::size_t>(64, 2 * before.size()), {});
+  const std::size_t mask = names_.size() - 1;
+  for (const Taken& taken : before) {
+    if (taken.owner == Owner::nobody) continue;
+    std::size_t i = taken.hash & mask;
+    while (names_[i].owner != Owner::nobody) i = (i + 1) & mask;
+    names_[i] = taken;
+  }
 }
 
 void Model::insert(Elements elements) {
@@ -171,6 +216,7 @@ void Model::insert(std::unique_ptr<Constraint> constraint) {
   check_new_element(constraint->name(), constraint->bodies());
   of_constraints_.push_back(add_parameters(constraint->name(), parameters, true));
   constraints_.push_back(std::move(constraint));
+  take_name(Owner::constraint, static_cast<int>(constraints_.size()) - 1);
 }
 
 void Model::insert(std::unique_ptr<ForceElement> force) {
@@ -179,6 +225,7 @@ void Model::insert(std::unique_ptr<ForceElement> force) {
   check_new_element(force->name(), force->bodies(*this));
   of_forces_.push_back(add_parameters(force->name(), parameters, false));
   forces_.push_back(std::move(force));
+  take_name(Owner::force, static_cast<int>(forces_.size()) - 1);
 }
 
 Vec2 Model::to_local(BodyId id, const Vec2& global_point) const {

@@ -6,12 +6,11 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include <yoke/core/constraint.hpp>
@@ -117,14 +116,27 @@ class Model {
   void check_parameters(const std::vector<double>& values) const;
 
  private:
+  enum class Owner : unsigned char { nobody, body, constraint, force };
+  /// A name that is taken: its hash and whose it is.
+  struct Taken {
+    std::uint32_t hash = 0;
+    Owner owner = Owner::nobody;
+    int index = 0;  // of the owner
+  };
+
   std::size_t add_parameters(const std::string& element, std::vector<Parameter> parameters,
                              bool of_constraint);
   void require_free(std::string_view what, const std::string& name) const;
-  void check_new_element(const std::string& name, const std::vector<BodyId>& bodies);
+  void check_new_element(const std::string& name, const std::vector<BodyId>& bodies) const;
+  std::size_t place_of(std::string_view name) const;
+  const std::string& name_of(const Taken& taken) const;
+  void take_name(Owner owner, int index);
+  void grow_names();
 
   std::vector<Body> bodies_;
-  std::unordered_map<std::string, int> body_index_;
-  std::unordered_set<std::string> element_names_;
+  // Open addressing, the size a power of two: one look into memory a name, where nodes of a map are two or three.
+  std::vector<Taken> names_;
+  std::size_t name_count_ = 0;
   std::vector<std::unique_ptr<Constraint>> constraints_;
   std::vector<std::unique_ptr<ForceElement>> forces_;
   std::vector<OwnedParameter> parameters_;

@@ -16,7 +16,7 @@ namespace yoke {
 Dynamics::Dynamics(const Model& model, LinearSolver choice)
     : system_(model), choice_(choice), length_metric_(metric_of_lengths(system_)) {
   saddle_.emplace(layout(), choice_);
-  if (!system_.loaded().empty()) loaded_.emplace(system_, matrix());
+  if (!system_.loaded().empty()) loaded_.emplace(system_, *saddle_);
   const std::size_t size = at(system_.dofs() + system_.rows());
   b_.assign(size + 1, 0.0);
   free_ = b_;
@@ -31,29 +31,38 @@ SaddleLayout Dynamics::layout() const {
   SaddleLayout layout{.mass = system_.mass(),
                       .dof = system_.dof(),
                       .blocks = {},
-                      .entries = {},
+                      .entries = [this] { return entries(); },
                       .left_out = system_.left_out_rows(),
                       .switched = {},
                       .rows = system_.rows()};
   for (const ConstraintSlot& c : system_.holds()) layout.switched.push_back(c.row);
-  for (const ConstraintSlot& c : system_.constraints()) {
+  layout.blocks.reserve(system_.constraints().size());
+  for (const ConstraintSlot& c : system_.constraints())
     layout.blocks.push_back({c.row, c.rows, c.columns, c.dofs, c.block});
+  return layout;
+}
+
+std::vector<JacobianEntry> Dynamics::entries() const {
+  std::vector<JacobianEntry> entries;
+  entries.reserve(system_.jacobian_size());
+  for (const ConstraintSlot& c : system_.constraints())
     for (int i = 0; i < c.rows; ++i)
       for (int j = 0; j < c.columns; ++j) {
         const int dof = system_.dof()[at(c.dofs + j)];
         if (dof < 0 || !c.element->in_pattern(i, j) || system_.is_left_out(c.row + i)) continue;
-        layout.entries.push_back({c.block + i * c.columns + j, c.row + i, dof});
+        entries.push_back({c.block + i * c.columns + j, c.row + i, dof});
       }
-  }
-  return layout;
+  return entries;
 }
 
 void Dynamics::leave_out(const std::vector<int>& rows) {
   if (rows == system_.left_out_rows()) return;
   system_.leave_out(rows);
   retired_ = counters();
+  const bool loaded = loaded_.has_value();
+  loaded_.reset();
   saddle_.emplace(layout(), choice_);
-  if (loaded_) loaded_.emplace(system_, matrix());
+  if (loaded) loaded_.emplace(system_, *saddle_);
   lengths_.reset();
   factorised_ = false;
   weakest_.clear();
@@ -147,11 +156,13 @@ bool Dynamics::calc_accelerations(const Instant& instant, const Accelerations& o
 bool Dynamics::solve_loaded(double* z_dot, double* quadrature_rates) {
   free_ = b_;
   saddle_->solve(b_.data());
-  if (!loaded_->solve(matrix(), free_.data(), b_.data())) {
+  if (!loaded_->solve(free_.data(), b_.data())) {
     if (!std::ranges::all_of(free_, [](double x) { return std::isfinite(x); }))
       system_.blame_not_finite();
     return false;
   }
+  system_.set_multipliers(nullptr);
+  if (z_dot == nullptr && quadrature_rates == nullptr) return true;
   system_.set_multipliers(b_.data() + system_.dofs());
   std::ranges::fill(free_, 0.0);
   system_.add_loaded_forces(free_.data(), z_dot, quadrature_rates);

@@ -85,6 +85,9 @@ class Dynamics {
                           const Baumgarte* stabilisation = nullptr);
   /// The same for a State: fills a and lambda.
   bool calc_accelerations(State& state);
+  /// At the motion of the last calc_accelerations(): x [dofs + rows], which solves the saddle system for `b`, is made
+  /// the solution with the forces that depend on reactions. False: there is none.
+  bool add_loaded_forces(const double* b, double* x) { return !loaded_ || loaded_->solve(b, x); }
 
   /// All event functions [events] at a motion, where they need them with the forces of friction that
   /// holds. False if these cannot be computed.
@@ -160,6 +163,7 @@ class Dynamics {
   static constexpr int max_projection_iterations = 12;
 
   SaddleLayout layout() const;
+  std::vector<JacobianEntry> entries() const;
   bool factorise_at(double t, const double* q);
   bool improve_position(double* q);
   bool improve_velocity(double* v, Rows which = Rows::all);

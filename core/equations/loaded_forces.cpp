@@ -18,67 +18,99 @@ constexpr double rounding = 64.0 * machine_epsilon;  // of the largest reaction
 
 }  // namespace
 
-LoadedForces::LoadedForces(System& system, const SparseMatrix& saddle)
-    : system_(system),
-      first_slope_(at(saddle.nonzeros())),
-      matrix_(pattern(system, saddle, slots_)),
-      lu_(matrix_) {
-  x_.assign(at(saddle.size) + 1, 0.0);
-  std::size_t columns = 0, rows = 0;
-  for (const std::size_t i : system.loaded()) {
-    columns = std::max(columns, at(system.forces()[i].columns));
-    rows = std::max(rows, at(system.forces()[i].load_rows));
+LoadedForces::Whole::Whole(const SparseMatrix& saddle, const std::vector<LoadEntry>& entries,
+                           int dofs)
+    : matrix([&] {
+        PatternBuilder pattern(saddle.size);
+        pattern.reserve(at(saddle.nonzeros()) + entries.size());
+        for (int j = 0; j < saddle.size; ++j)
+          for (int k = saddle.column_start[at(j)]; k < saddle.column_start[at(j) + 1]; ++k)
+            pattern.add(saddle.row[at(k)], j);
+        for (const LoadEntry& e : entries) pattern.add(e.row < 0 ? -1 : e.dof, dofs + e.row);
+        return pattern.compile(slots);
+      }()),
+      lu(matrix) {}
+
+LoadedForces::LoadedForces(System& system, SaddleSolver& saddle)
+    : system_(system), saddle_(saddle) {
+  find_entries();
+  slope_.assign(entries_.size(), 0.0);
+  x_.assign(at(system.dofs() + system.rows()) + 1, 0.0);
+  right_ = x_;
+  have_room_ = saddle.range() != nullptr && saddle.range()->make_room(entries_);
+  // Friction that holds is solved by KLU, and nothing shall be allocated when it does.
+  if (!have_room_ || !system.holds().empty())
+    whole_.emplace(saddle.matrix(system.G(), system.dropped()), entries_, system.dofs());
+}
+
+void LoadedForces::find_entries() {
+  std::size_t columns = 0;
+  for (const std::size_t i : system_.loaded()) {
+    const ForceSlot& f = system_.forces()[i];
+    columns = std::max(columns, at(f.columns));
+    for (int j = 0; j < f.columns; ++j)
+      for (int l = f.load; l < f.load + f.load_rows; ++l)
+        entries_.push_back({system_.dof()[at(f.dofs + j)], system_.is_left_out(l) ? -1 : l});
   }
   Q_.assign(columns, 0.0);
-  slope_.assign(columns * rows, 0.0);
 }
 
-SparseMatrix LoadedForces::pattern(const System& system, const SparseMatrix& saddle,
-                                   std::vector<int>& slots) {
-  PatternBuilder pattern(saddle.size);
-  for (int j = 0; j < saddle.size; ++j)
-    for (int k = saddle.column_start[at(j)]; k < saddle.column_start[at(j) + 1]; ++k)
-      pattern.add(saddle.row[at(k)], j);
-  for (const std::size_t i : system.loaded()) {
-    const ForceSlot& f = system.forces()[i];
-    for (int j = 0; j < f.columns; ++j)
-      for (int l = 0; l < f.load_rows; ++l)
-        pattern.add(system.is_left_out(f.load + l) ? -1 : system.dof()[at(f.dofs + j)],
-                    system.dofs() + f.load + l);
-  }
-  return pattern.compile(slots);
+void LoadedForces::reset() {
+  if (whole_) whole_->lu.reset();
 }
 
-void LoadedForces::start(const SparseMatrix& saddle, const double* b) {
-  std::ranges::fill(matrix_.value, 0.0);
-  for (int k = 0; k < saddle.nonzeros(); ++k)
-    matrix_.value[at(slots_[at(k)])] = saddle.value[at(k)];
-  std::copy_n(b, saddle.size, x_.begin());
+FactorCounters LoadedForces::counters() const {
+  FactorCounters sum = whole_ ? whole_->lu.counters() : FactorCounters{};
+  sum.refactorisations += by_blocks_;
+  return sum;
 }
 
-/// The forces at these multipliers into the matrix and the right-hand side. False: they do nothing.
+/// The forces at these multipliers into the right-hand side, and their slopes. False: they do nothing.
 bool LoadedForces::add_forces(const double* lambda) {
   system_.set_multipliers(lambda);
-  const int* slot = slots_.data() + first_slope_;
+  std::ranges::fill(slope_, 0.0);
+  double* slopes = slope_.data();
   bool any = false;
   for (const std::size_t i : system_.loaded()) {
     const ForceSlot& f = system_.forces()[i];
     std::fill_n(Q_.begin(), f.columns, 0.0);
-    std::fill_n(slope_.begin(), f.columns * f.load_rows, 0.0);
-    f.element->evaluate(system_.force_input(f), {.Q = Q_.data(), .dQ_dlambda = slope_.data()});
-    const double* slope = slope_.data();
-    for (int j = 0; j < f.columns; ++j) {
+    f.element->evaluate(system_.force_input(f), {.Q = Q_.data(), .dQ_dlambda = slopes});
+    for (int j = 0; j < f.columns; ++j, slopes += f.load_rows) {
       double force = Q_[at(j)];
-      for (int l = 0; l < f.load_rows; ++l, ++slope, ++slot) {
-        any = any || *slope != 0.0;
-        matrix_.value[at(*slot)] -= *slope;
-        if (!system_.is_left_out(f.load + l)) force -= *slope * lambda[f.load + l];
+      for (int l = 0; l < f.load_rows; ++l) {
+        any = any || slopes[l] != 0.0;
+        if (!system_.is_left_out(f.load + l)) force -= slopes[l] * lambda[f.load + l];
       }
       any = any || force != 0.0;
-      if (const int dof = system_.dof()[at(f.dofs + j)]; dof >= 0) x_[at(dof)] += force;
+      if (const int dof = system_.dof()[at(f.dofs + j)]; dof >= 0) right_[at(dof)] += force;
     }
   }
   return any;
+}
+
+/// x_ from right_ and the slopes.
+bool LoadedForces::solve_linear() {
+  if (have_room_ && saddle_.by_range()) {
+    ++by_blocks_;
+    std::ranges::copy(right_, x_.begin());
+    if (saddle_.range()->factorise_loaded(slope_) && saddle_.range()->solve_loaded(x_.data()))
+      return true;
+  }
+  return solve_by_klu();
+}
+
+bool LoadedForces::solve_by_klu() {
+  const SparseMatrix& saddle = saddle_.matrix(system_.G(), system_.dropped());
+  if (!whole_) whole_.emplace(saddle, entries_, system_.dofs());
+  std::vector<double>& value = whole_->matrix.value;
+  std::ranges::fill(value, 0.0);
+  const int* slot = whole_->slots.data();
+  for (int k = 0; k < saddle.nonzeros(); ++k) value[at(*slot++)] = saddle.value[at(k)];
+  for (const double slope : slope_) value[at(*slot++)] -= slope;
+  std::ranges::copy(right_, x_.begin());
+  if (!whole_->lu.factorise(whole_->matrix)) return false;
+  whole_->lu.solve(x_.data());
+  return true;
 }
 
 /// A multiplier as a force.
@@ -113,16 +145,16 @@ double LoadedForces::error(const double* lambda) const {
   return std::isfinite(largest) ? error : largest;
 }
 
-bool LoadedForces::solve(const SparseMatrix& saddle, const double* b, double* x) {
+bool LoadedForces::solve(const double* b, double* x) {
+  const int size = system_.dofs() + system_.rows();
   double* lambda = x + system_.dofs();
   for (int round = 0; round < most_rounds; ++round) {
-    start(saddle, b);
+    std::copy_n(b, size, right_.begin());
     if (!add_forces(lambda)) break;
-    if (!lu_.factorise(matrix_)) return fail(lambda);
-    lu_.solve(x_.data());
+    if (!solve_linear()) return fail(lambda);
     const double left = error(lambda);
     const bool half = round >= full_rounds && round % 2 == 0 && left > 1.0;
-    for (int i = 0; i < saddle.size; ++i) x[i] = half ? 0.5 * (x[i] + x_[at(i)]) : x_[at(i)];
+    for (int i = 0; i < size; ++i) x[i] = half ? 0.5 * (x[i] + x_[at(i)]) : x_[at(i)];
     if (!std::isfinite(left)) return fail(lambda);
     if (left <= 1.0) break;
     if (round + 1 == most_rounds) return fail(lambda);

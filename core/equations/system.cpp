@@ -42,6 +42,7 @@ int System::add_dofs(const std::vector<BodyId>& bodies) {
 
 void System::lay_out_constraints() {
   int block = 0;
+  reserve_constraints();
   for (const auto& c : model_.constraints()) {
     ConstraintSlot slot{.element = c.get(),
                         .row = rows_,
@@ -58,6 +59,14 @@ void System::lay_out_constraints() {
   G_.assign(at(block), 0.0);
   joint_count_ = constraints_.size();
   joint_rows_ = rows_;
+}
+
+/// As if all had two rows and two bodies, which most have: counting would look at every one.
+void System::reserve_constraints() {
+  const std::size_t count = model_.constraints().size();
+  constraints_.reserve(count);
+  measure_.reserve(2 * count);
+  dof_.reserve(6 * count);
 }
 
 void System::lay_out_holds() {
@@ -149,6 +158,7 @@ void HeldRow::evaluate(const Motion& motion, const ConstraintRequest& out) const
 
 void System::lay_out_forces() {
   int block = 0, contacts = 0;
+  std::size_t joint = 0;
   for (const auto& f : model_.forces()) {
     const std::vector<BodyId> bodies = f->bodies(model_);
     ForceSlot slot{.element = f.get(),
@@ -166,21 +176,26 @@ void System::lay_out_forces() {
     states_ += slot.states;
     contacts += f->contacts();
     events_ += f->events();
-    find_load(slot);
+    find_load(slot, joint);
     if (slot.load >= 0) loaded_.push_back(forces_.size());
     forces_.push_back(slot);
   }
   Q_.assign(at(block), 0.0);
   for (std::size_t i = 0; i < constraints_.size(); ++i)
     constraints_[i].parameters = static_cast<int>(model_.first_parameter_of_constraint(i));
-  start_parameters_ = model_.start_state().parameters;
+  for (const OwnedParameter& p : model_.parameters())
+    start_parameters_.push_back(p.parameter.value);
   parameters_ = start_parameters_.data();
 }
 
-void System::find_load(ForceSlot& slot) const {
+/// Looked for from joint `near` on, which gets the place: loads mostly come in the order of their joints, and a
+/// long chain is not searched from its start for each.
+void System::find_load(ForceSlot& slot, std::size_t& near) const {
   const Constraint* joint = slot.element->loaded_by();
   if (joint == nullptr) return;
-  for (const ConstraintSlot& c : joints()) {
+  const std::size_t count = joints().size();
+  for (std::size_t looked = 0; looked < count; ++looked, near = near + 1 < count ? near + 1 : 0) {
+    const ConstraintSlot& c = joints()[near];
     if (c.element != joint) continue;
     slot.load = c.row;
     slot.load_rows = c.rows;
@@ -211,21 +226,28 @@ double System::length_of_layout() {
 }
 
 std::vector<double> System::squared_arms(double turned) {
-  State start = model_.start_state();
-  for (int i = 2; i < dofs_; i += 3) start.q[i] += turned * (i / 3 + 1);
-  const std::vector<double> at_rest(at(dofs_));
-  std::vector<double> phi(at(rows_));
-  set_motion(start.t, start.q.data(), at_rest.data());
-  calc_position_level(phi.data());
+  std::vector<double> q(at(dofs_)), v(at(dofs_), 0.0);
+  for (std::size_t i = 1; i < model_.bodies().size(); ++i) {
+    const Pose& pose = model_.bodies()[i].pose;
+    double* body = q.data() + 3 * (i - 1);
+    body[0] = pose.position.x();
+    body[1] = pose.position.y();
+    body[2] = pose.angle + turned * static_cast<double>(i);
+  }
+  set_motion(0.0, q.data(), v.data());
   std::vector<double> turn(at(dofs_ / 3), 0.0), shift = turn;
-  for (const ConstraintSlot& c : constraints_)
-    for (int i = 0; i < c.rows; ++i)
-      for (int j = 0; j < c.columns && measure(c.row + i) == Measure::length; ++j) {
-        const int dof = dof_[at(c.dofs + j)];
+  for (const ConstraintSlot& c : constraints_) {
+    evaluate(c, {.G = G_.data() + c.block});
+    const double* g = G_.data() + c.block;
+    for (int i = 0; i < c.rows; ++i, g += c.columns)
+      for (int j = 0; j < c.columns && measure(c.row + i) == Measure::length; j += 3) {
+        const int dof = dof_[at(c.dofs + j)];  // of a body, its first
         if (dof < 0) continue;
-        const double g = G_[at(c.block + i * c.columns + j)];
-        (dof % 3 == 2 ? turn : shift)[at(dof / 3)] += g * g;
+        shift[at(dof / 3)] += g[j] * g[j];
+        shift[at(dof / 3)] += g[j + 1] * g[j + 1];
+        turn[at(dof / 3)] += g[j + 2] * g[j + 2];
       }
+  }
   for (std::size_t body = 0; body < turn.size(); ++body) turn[body] /= shift[body];
   return turn;
 }

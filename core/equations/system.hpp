@@ -195,7 +195,8 @@ class System {
   void lay_out_constraints();
   void lay_out_forces();
   void lay_out_holds();
-  void find_load(ForceSlot& slot) const;
+  void reserve_constraints();
+  void find_load(ForceSlot& slot, std::size_t& near) const;
   void note_holds();
   void collect_dropped();
   int add_dofs(const std::vector<BodyId>& bodies);

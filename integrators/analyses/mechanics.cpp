@@ -23,7 +23,6 @@ struct Mechanics::Equations {
 
   Dynamics dynamics;
   std::optional<SparseLU> lu;  // of the same matrix: Dynamics solves for its own forces alone
-  std::optional<LoadedForces> loaded;
   State state;
   bool known = false, has_null_space = false;
   int n, rows, freedom = 0;
@@ -42,7 +41,6 @@ Mechanics::Equations::Equations(const Model& model)
   const System& system = dynamics.system();
   freedom = n - rows + static_cast<int>(system.dropped_rows().size());
   lu.emplace(dynamics.matrix());
-  if (!system.loaded().empty()) loaded.emplace(dynamics.system(), dynamics.matrix());
   mass = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), n);
   const std::vector<double> w = metric_of_masses(system);
   metric = Eigen::Map<const Eigen::VectorXd>(w.data(), n);
@@ -163,7 +161,7 @@ void Mechanics::accelerations(const Eigen::VectorXd& F, Eigen::VectorXd& a,
   for (const int row : e.dynamics.system().dropped_rows()) e.b[e.n + row] = 0.0;
   e.x = e.b;
   e.lu->solve(e.x.data());
-  if (e.loaded && !e.loaded->solve(e.dynamics.matrix(), e.b.data(), e.x.data()))
+  if (!e.dynamics.add_loaded_forces(e.b.data(), e.x.data()))
     throw ModelError(fmt::format("mechanics: at t = {:.9g} s the friction of '{}' wedges",
                                  e.state.t, e.dynamics.system().not_finite()));
   e.dynamics.system().set_multipliers(nullptr);

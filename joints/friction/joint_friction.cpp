@@ -48,22 +48,14 @@ class JointFriction final : public ForceElement {
       out.energy->stored = f.stored_energy;
       out.energy->dissipated_power = f.dissipated_power;
     }
-    const bool state = law_.has_state();
-    if (state && out.z_dot != nullptr) out.z_dot[0] = f.rate;
-    if (state && out.dz_dz != nullptr) out.dz_dz[0] = f.drate_dstate;
-    for (std::size_t i = 0; i < width; ++i) {
-      if (out.Q != nullptr) out.Q[i] = -f.force * slip.row[i];
-      if (out.dQ_dz != nullptr) out.dQ_dz[i] = -f.dforce_dstate * slip.row[i];
-      if (out.dz_dq != nullptr) out.dz_dq[i] = f.drate_dsliding * slip.turned[i];
-      if (out.dz_dv != nullptr) out.dz_dv[i] = f.drate_dsliding * slip.row[i];
-      write_row(i, slip, f, out);
-    }
+    for (std::size_t i = 0; out.Q != nullptr && i < width; ++i) out.Q[i] = -f.force * slip.row[i];
     const auto rows = static_cast<std::size_t>(joint_.rows());
-    for (std::size_t l = 0; l < rows; ++l) {
-      if (out.dz_dlambda != nullptr) out.dz_dlambda[l] = f.drate_dnormal * load.slope[l];
-      for (std::size_t i = 0; out.dQ_dlambda != nullptr && i < width; ++i)
+    for (std::size_t l = 0; out.dQ_dlambda != nullptr && l < rows; ++l)
+      for (std::size_t i = 0; i < width; ++i)
         out.dQ_dlambda[i * rows + l] = -f.dforce_dnormal * load.slope[l] * slip.row[i];
-    }
+    if (out.dQ_dq != nullptr || out.dQ_dv != nullptr)
+      for (std::size_t i = 0; i < width; ++i) write_row(i, slip, f, out);
+    if (law_.has_state()) write_state(slip, load, f, out);
   }
 
   int contacts() const override { return holds_ ? 1 : 0; }
@@ -171,6 +163,19 @@ class JointFriction final : public ForceElement {
                    .state = law_.has_state() ? in.z[0] : 0.0,
                    .direction = holds_ ? direction_of(in.contact->grip) : 0.0,
                    .reference_force = reference_force_});
+  }
+
+  void write_state(const Slip& slip, const Load& load, const FrictionOutput& f,
+                   const ForceRequest& out) const {
+    if (out.z_dot != nullptr) out.z_dot[0] = f.rate;
+    if (out.dz_dz != nullptr) out.dz_dz[0] = f.drate_dstate;
+    for (std::size_t i = 0; i < width; ++i) {
+      if (out.dQ_dz != nullptr) out.dQ_dz[i] = -f.dforce_dstate * slip.row[i];
+      if (out.dz_dq != nullptr) out.dz_dq[i] = f.drate_dsliding * slip.turned[i];
+      if (out.dz_dv != nullptr) out.dz_dv[i] = f.drate_dsliding * slip.row[i];
+    }
+    for (int l = 0; out.dz_dlambda != nullptr && l < joint_.rows(); ++l)
+      out.dz_dlambda[l] = f.drate_dnormal * load.slope[static_cast<std::size_t>(l)];
   }
 
   void write_row(std::size_t i, const Slip& slip, const FrictionOutput& f,

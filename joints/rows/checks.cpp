@@ -8,7 +8,10 @@
 namespace yoke {
 
 std::string element_name(std::string_view kind, std::string_view name) {
-  return fmt::format("{} '{}'", kind, name);
+  std::string owner;  // every joint of a large model makes one: without a look at a format
+  owner.reserve(kind.size() + name.size() + 3);
+  owner.append(kind).append(" '").append(name).append("'");
+  return owner;
 }
 
 namespace {

@@ -54,31 +54,45 @@ void acceleration_of_chain(benchmark::State& bench) {
 }
 
 // Friction in every joint from its reaction, over the same chain without. Newton's iteration takes a few
-// rounds of one factorisation each; what counts is that it costs no more per link in a long chain.
+// rounds of one factorisation each, by blocks as everything else; `klu_ratio` is what it is where KLU factorises the
+// whole matrix each time. What counts besides is that it costs no more per link in a long chain.
 void friction_of_chain(benchmark::State& bench) {
   const int links = static_cast<int>(bench.range(0));
-  const auto evaluation = [&](const std::optional<PinFriction>& friction) {
+  double factorisations = 0.0;
+  const auto evaluation = [&](const std::optional<PinFriction>& friction,
+                              LinearSolver solver = LinearSolver::automatic) {
     const Model model = chain(links, friction);
-    Dynamics dynamics(model);
+    Dynamics dynamics(model, solver);
     State state = model.start_state();
     if (!dynamics.assemble(state)) return 0.0;
+    const int repeats = std::max(1, 20000 / links);
+    const FactorCounters before = dynamics.counters();
     double nudge = 1e-9;
-    return seconds(std::max(1, 5000 / links), [&] {
+    const double time = seconds(repeats, [&] {
       nudge = -nudge;
       for (Eigen::Index i = 2; i < state.q.size(); i += 3) state.q[i] += nudge;
       dynamics.calc_accelerations(
           {.t = state.t, .q = state.q.data(), .v = state.v.data(), .z = state.z.data()},
           {.a = state.a.data(), .lambda = state.lambda.data()});
     });
+    const FactorCounters after = dynamics.counters();
+    factorisations = static_cast<double>(after.refactorisations + after.fresh -
+                                         before.refactorisations - before.fresh) /
+                     repeats;
+    return time;
   };
-  std::vector<double> ratios, with;
+  const PinFriction friction{.law = RegularisedCoulomb{.mu = 0.2}, .radius = 0.02};
+  std::vector<double> ratios, klu_ratios, with;
   for (auto _ : bench) {
     const double plain = evaluation({});
-    with.push_back(evaluation(PinFriction{.law = RegularisedCoulomb{.mu = 0.2}, .radius = 0.02}));
+    klu_ratios.push_back(evaluation(friction, LinearSolver::klu) / plain);
+    with.push_back(evaluation(friction));
     bench.SetIterationTime(with.back());
     ratios.push_back(with.back() / plain);
   }
   bench.counters["ratio"] = median(ratios);
+  bench.counters["klu_ratio"] = median(klu_ratios);
+  bench.counters["factorisations"] = factorisations;
   bench.counters["ns_per_link"] = 1e9 * median(with) / links;
 }
 

@@ -140,6 +140,31 @@ TEST_CASE("a joint or force cannot have the name of a body, nor a body theirs") 
   CHECK(model.forces().empty());
 }
 
+TEST_CASE("of very many names each is found, and none is given twice") {
+  constexpr int count = 3000;
+  const auto link = [](int i) { return "link " + std::to_string(i); };
+  const auto level = [](int i) { return "level " + std::to_string(i); };
+  Model model;
+  for (int i = 0; i < count; ++i) {
+    const BodyId body = model.add(good(link(i)));
+    model.add(Level(level(i), ground, body));
+  }
+  int found = 0, taken = 0;
+  for (int i = 0; i < count; ++i) found += model.find_body(link(i)).index == i + 1 ? 1 : 0;
+  for (int i = 0; i < count; i += 50) {
+    for (const std::string& message :
+         {message_of([&] { model.add(good(link(i))); }),
+          message_of([&] { model.add(good(level(i))); }),
+          message_of([&] { model.add(Level(level(i), ground, BodyId{1})); })})
+      taken += contains(message, "this name is taken") ? 1 : 0;
+  }
+  CHECK(found == count);
+  CHECK(taken == 3 * count / 50);
+  CHECK(model.body_count() == count);
+  CHECK(model.find_body("ground") == ground);
+  CHECK_THROWS_AS(model.find_body(level(7)), ModelError);
+}
+
 TEST_CASE("a body that is not there is refused with the ones that are") {
   Model model;
   model.add(good("crank"));

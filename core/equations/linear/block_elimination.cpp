@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <yoke/core/equations/linear/index.hpp>
 
@@ -20,8 +21,11 @@ constexpr double for_pivot = 8.0, for_block = 8.0, for_update = 8.0;
 /// whose first block below the diagonal is in its row. False: more than `most` multiplications.
 bool fill_in(const BlockPattern& pattern, double most, BlockPattern& filled) {
   const int columns = pattern.columns();
-  std::vector<std::vector<int>> children(at(columns));
+  // The children of a column, one after the other.
+  std::vector<int> first_child(at(columns), -1), next_child(at(columns), -1);
   std::vector<int> column, seen(at(columns), -1);
+  filled.start.reserve(at(columns) + 1);
+  filled.row.reserve(pattern.row.size());
   double work = 0.0;
   for (int k = 0; k < columns; ++k) {
     column.clear();
@@ -33,14 +37,14 @@ bool fill_in(const BlockPattern& pattern, double most, BlockPattern& filled) {
       }
     };
     take(pattern.row.data() + pattern.start[at(k)], pattern.row.data() + pattern.start[at(k) + 1]);
-    for (const int child : children[at(k)])
+    for (int child = first_child[at(k)]; child >= 0; child = next_child[at(child)])
       take(filled.row.data() + filled.start[at(child)],
            filled.row.data() + filled.start[at(child) + 1]);
     std::ranges::sort(column);
     const auto count = static_cast<double>(column.size());
     work += for_pivot + for_block * count + 0.5 * for_update * count * (count + 1.0);
     if (work > most) return false;
-    if (!column.empty()) children[at(column.front())].push_back(k);
+    if (!column.empty()) next_child[at(k)] = std::exchange(first_child[at(column.front())], k);
     filled.row.insert(filled.row.end(), column.begin(), column.end());
     filled.start.push_back(static_cast<int>(filled.row.size()));
   }
@@ -59,6 +63,7 @@ inline void subtract_product(double* A, const double* B, const double* C) {
 
 std::vector<int> elimination_order(int columns, const std::vector<std::pair<int, int>>& pairs) {
   PatternBuilder builder(columns);
+  builder.reserve(2 * pairs.size());
   for (const auto& [i, j] : pairs) {
     builder.add(i, j);
     builder.add(j, i);
@@ -77,6 +82,7 @@ std::unique_ptr<BlockElimination> BlockElimination::make(int columns,
   std::unique_ptr<BlockElimination> made(new BlockElimination);
   BlockPattern& pattern = made->pattern_;
   if (!fill_in(pattern_of(columns, std::move(pairs)), most, pattern)) return nullptr;
+  made->update_.reserve(pattern.row.size());
   for (int k = 0; k < columns; ++k)
     for (int a = pattern.start[at(k)]; a < pattern.start[at(k) + 1]; ++a)
       for (int b = pattern.start[at(k)]; b <= a; ++b)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,14 +28,16 @@ class BlockElimination final : public SymmetricFactors {
   bool factorise(double least) override;
   double smallest_pivot() const override { return smallest_; }
   void solve(double* x) override;
+  /// 4 x places of what the columns change, one after the other: for each of n blocks below the diagonal those of
+  /// (0,0) (1,0) ... (n-1,n-1).
+  std::span<const int> updates() const { return update_; }
 
  private:
   BlockElimination() = default;
   bool invert_pivot(int column, double* D, double least);
 
   BlockPattern pattern_;  // with the fill
-  std::vector<int>
-      update_;  // 4 x places: for each column of n below those of (0,0) (1,0) ... (n-1,n-1)
+  std::vector<int> update_;
   std::vector<double>
       value_;  // after factorise() the inverse of each pivot in the place of the diagonal
   std::vector<double> diagonal_;  // [2 columns] elements before elimination

@@ -20,9 +20,24 @@ constexpr double least_pivot = 1e-9, one_refinement = 1e-5;
 // What is left of an equation, in parts of its terms, up to which nothing is refined. What a reaction itself
 // accelerates counts little beside: that is the rounding of an acceleration that is zero.
 constexpr double misfit_allowed = 1e-13, share_of_reaction = 1e-4;
+constexpr double misfit_accepted =
+    1e-12;  // with loads, in parts of what the largest reaction accelerates
 constexpr double rounding_left = 16.0 * machine_epsilon;
 // A body with very many joints couples all of them: what that takes is not even listed.
 constexpr std::size_t most_products_per_part = 64;
+
+/// An equation all of whose terms are rounding misses by as much as these, always: so all are seen beside the
+/// largest reaction, in the metric of the masses, where lengths and angles are alike.
+bool is_satisfied(const std::vector<double>& misfit, const std::vector<double>& reaction,
+                  const std::vector<double>& diagonal) {
+  double missed = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < misfit.size(); ++i) {
+    const double root = std::sqrt(diagonal[i]), miss = std::abs(misfit[i]) / root;
+    if (!(miss <= missed)) missed = miss;  // also what is not a number
+    largest = std::max(largest, root * std::abs(reaction[i]));
+  }
+  return missed <= misfit_accepted * largest;
+}
 
 }  // namespace
 
@@ -39,6 +54,7 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   if (!have_mass || layout.rows == 0) return nullptr;
   std::unique_ptr<RangeSpace> made(new RangeSpace);
   made->dofs_ = layout.dofs();
+  made->mobility_.reserve(layout.mass.size());
   for (const double m : layout.mass) made->mobility_.push_back(1.0 / m);
   made->add_nodes(layout);
   const int columns = static_cast<int>(made->nodes_.size()) - 1;
@@ -48,8 +64,10 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
     made->factors_ = std::make_unique<BlockKlu>(columns, std::move(pairs));
   } else {
     made->put_in_order(elimination_order(columns, pairs));
-    made->factors_ = BlockElimination::make(columns, made->pairs(), most);
-    if (made->factors_ == nullptr) return nullptr;
+    std::unique_ptr<BlockElimination> blocks = BlockElimination::make(columns, made->pairs(), most);
+    if (blocks == nullptr) return nullptr;
+    made->blocks_ = blocks.get();
+    made->factors_ = std::move(blocks);
   }
   made->find_products();
   made->G_.assign(6 * made->parts_.size(), 0.0);
@@ -61,6 +79,8 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
 }
 
 void RangeSpace::add_nodes(const SaddleLayout& layout) {
+  nodes_.reserve(layout.blocks.size() + 1);
+  parts_.reserve(layout.dof.size() / 3 + 1);
   for (const JacobianBlock& c : layout.blocks)
     for (int i = 0; i < c.rows; i += 2) {
       const bool both = i + 1 < c.rows;
@@ -112,6 +132,8 @@ void RangeSpace::put_in_order(const std::vector<int>& order) {
   const std::vector<Part> parts = std::move(parts_);
   nodes_.clear();
   parts_.clear();
+  nodes_.reserve(nodes.size());
+  parts_.reserve(parts.size() + 1);
   for (const int k : order) {
     Node node = nodes[at(k)];
     const auto begin = parts.begin() + node.part, end = parts.begin() + nodes[at(k + 1)].part;
@@ -132,6 +154,7 @@ void RangeSpace::find_products() {
   const BlockPattern& pattern = factors_->pattern();
   const int blocks = columns + static_cast<int>(pattern.row.size());
   std::vector<bool> used(at(blocks), false);
+  products_.reserve(pattern.row.size());
   for (int k = 0; k < columns; ++k) {
     nodes_[at(k)].place = 4 * pattern.place(k, k);
     for (int p = nodes_[at(k)].part; p < nodes_[at(k + 1)].part; ++p) {
@@ -265,8 +288,11 @@ double RangeSpace::find_misfit(const double* gamma) {
 
 /// lambda and a by what the misfit x asks for.
 void RangeSpace::correct() {
-  factors_->solve(x_.data());
-  const double* g = G_.data();
+  if (loaded_)
+    loaded_factors_->solve(x_.data());
+  else
+    factors_->solve(x_.data());
+  const double* g = loaded_ ? H_.data() : G_.data();
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
     const double u = x_[2 * k], v = x_[2 * k + 1];
     lambda_[2 * k] += u;
@@ -289,18 +315,117 @@ void RangeSpace::refine() {
     if (std::abs(a_[i]) <= rounding_left * std::abs(before_[i])) a_[i] = 0.0;
 }
 
-void RangeSpace::solve(double* b) {
-  const double* gamma = b + dofs_;
+/// The solution without constraints, and what their equations make of it.
+void RangeSpace::begin(double* b) {
   a_ = b;
   for (std::size_t i = 0; i < mobility_.size(); ++i) a_[i] *= mobility_[i];
   std::ranges::fill(lambda_, 0.0);
-  start(gamma);
+  start(b + dofs_);
   correct();
-  const int refinements = factors_->smallest_pivot() < one_refinement ? 2 : 1;
-  for (int i = 0; i < refinements && find_misfit(gamma) > misfit_allowed; ++i) refine();
+}
+
+void RangeSpace::finish(double* b) const {
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k)
     for (int i = 0; i < 2; ++i)
       if (const int row = nodes_[k].row[i]; row >= 0) b[dofs_ + row] = lambda_[2 * k + at(i)];
+}
+
+void RangeSpace::solve(double* b) {
+  const double* gamma = b + dofs_;
+  loaded_ = false;
+  begin(b);
+  const int refinements = factors_->smallest_pivot() < one_refinement ? 2 : 1;
+  for (int i = 0; i < refinements && find_misfit(gamma) > misfit_allowed; ++i) refine();
+  finish(b);
+}
+
+bool RangeSpace::make_room(std::span<const LoadEntry> entries) {
+  if (blocks_ == nullptr) return false;
+  std::vector<int> node_of_row;
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k)
+    for (const int row : nodes_[k].row) {
+      if (row >= static_cast<int>(node_of_row.size())) node_of_row.resize(at(row) + 1, -1);
+      if (row >= 0) node_of_row[at(row)] = static_cast<int>(k);
+    }
+  load_place_.clear();
+  load_place_.reserve(entries.size());
+  for (const LoadEntry& e : entries) {
+    if (e.dof < 0 || e.row < 0) {
+      load_place_.push_back(6 * nodes_.back().part);  // behind the last part
+      continue;
+    }
+    const std::size_t k = at(node_of_row[at(e.row)]);
+    const int end = nodes_[k + 1].part, body = 3 * (e.dof / 3);
+    int p = nodes_[k].part;
+    while (p < end && parts_[at(p)].dof != body) ++p;
+    if (p == end) return false;
+    load_place_.push_back(6 * p + (nodes_[k].row[0] == e.row ? 0 : 3) + e.dof - body);
+  }
+  H_.assign(G_.size(), 0.0);
+  loaded_factors_ = std::make_unique<BlockLu>(*blocks_);
+  return true;
+}
+
+bool RangeSpace::factorise_loaded(std::span<const double> D) {
+  std::ranges::copy(G_, H_.begin());
+  for (std::size_t i = 0; i < load_place_.size(); ++i) H_[at(load_place_[i])] -= D[i];
+  assemble_loaded();
+  return loaded_factors_->factorise(least_pivot);
+}
+
+/// G M^-1 H^T. Rows that do not count have zeros in both, and no elements of D.
+void RangeSpace::assemble_loaded() {
+  double *lower = loaded_factors_->lower(), *upper = loaded_factors_->upper();
+  for (const int place : fill_) {
+    std::fill_n(lower + place, 4, 0.0);
+    std::fill_n(upper + place, 4, 0.0);
+  }
+  const auto product = [](const double* g, const double* h, double* out) {
+    out[0] = g[0] * h[0] + g[1] * h[1] + g[2] * h[2];
+    out[1] = g[0] * h[3] + g[1] * h[4] + g[2] * h[5];
+    out[2] = g[3] * h[0] + g[4] * h[1] + g[5] * h[2];
+    out[3] = g[3] * h[3] + g[4] * h[4] + g[5] * h[5];
+  };
+  const auto weigh = [](const double* g, const double* w, double* out) {
+    for (int i = 0; i < 6; ++i) out[i] = g[i] * w[i % 3];
+  };
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    double* diagonal = lower + nodes_[k].place;
+    std::fill_n(diagonal, 4, 0.0);
+    for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p) {
+      const double *w = mobility_.data() + parts_[at(p)].dof, *g = G_.data() + 6 * p;
+      double wg[6], wh[6], add[4];
+      weigh(g, w, wg);
+      weigh(H_.data() + 6 * p, w, wh);
+      product(g, wh, add);
+      for (int j = 0; j < 4; ++j) diagonal[j] += add[j];
+      for (int i = parts_[at(p)].product; i < parts_[at(p) + 1].product; ++i) {
+        const Product& shared = products_[at(i)];
+        double *below = lower + shared.place, *above = upper + shared.place, mirrored[4];
+        product(G_.data() + 6 * shared.part, wh, add);
+        product(wg, H_.data() + 6 * shared.part, mirrored);
+        for (int j = 0; j < 4; ++j) {
+          below[j] = shared.first ? add[j] : below[j] + add[j];
+          above[j] = shared.first ? mirrored[j] : above[j] + mirrored[j];
+        }
+      }
+    }
+    if (counts_[2 * k] == 0) diagonal[0] = 1.0;
+    if (counts_[2 * k + 1] == 0) diagonal[3] = 1.0;
+  }
+}
+
+bool RangeSpace::solve_loaded(double* b) {
+  const double* gamma = b + dofs_;
+  loaded_ = true;
+  begin(b);
+  double misfit = find_misfit(gamma);
+  for (int i = 0; i < 2 && !(misfit <= misfit_allowed); ++i) {
+    refine();
+    misfit = find_misfit(gamma);
+  }
+  finish(b);
+  return misfit <= misfit_allowed || is_satisfied(x_, lambda_, diagonal_);
 }
 
 }  // namespace yoke

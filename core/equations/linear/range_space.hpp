@@ -9,16 +9,26 @@
 // definite. What it loses are digits where light bodies sit between heavy ones: there its condition is
 // that of the masses; and an acceleration that is zero comes out as the rounding of its forces. What is left
 // of G a = gamma tells, and a step of refinement on the saddle system gives the digits back.
+//
+// Forces Q + D lambda put G^T - D in the place of G^T, and S is no longer symmetric. Where a force acts on the bodies
+// of the constraint whose multipliers it depends on, the blocks are the same.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <vector>
 
+#include <yoke/core/equations/linear/block_lu.hpp>
 #include <yoke/core/equations/linear/saddle_layout.hpp>
 #include <yoke/core/equations/linear/symmetric_blocks.hpp>
 
 namespace yoke {
+
+/// An element of D, how the force on a coordinate depends on the multiplier of a row. Coordinate -1 or row -1: it
+/// does not count.
+struct LoadEntry {
+  int dof, row;
+};
 
 class RangeSpace {
  public:
@@ -32,6 +42,14 @@ class RangeSpace {
   bool factorise(const double* G, std::span<const char> dropped);
   void solve(double* b);  ///< in place, b [dofs + rows]
   void reset() { factors_->reset(); }
+
+  /// Makes room for a D with these entries, and finds their places. False where it takes other blocks than S has,
+  /// or those are for KLU.
+  bool make_room(std::span<const LoadEntry> entries);
+  /// With D [entries], after factorise(). False where blocks in their order of elimination are not good enough.
+  bool factorise_loaded(std::span<const double> D);
+  /// In place, after factorise_loaded(). False where an equation is not satisfied to rounding.
+  bool solve_loaded(double* b);
 
  private:
   struct Part {  // of two rows of a constraint, the columns of a body
@@ -59,6 +77,9 @@ class RangeSpace {
   void find_products();
   void pack(const double* G, std::span<const char> dropped);
   void assemble();
+  void assemble_loaded();
+  void begin(double* b);
+  void finish(double* b) const;
   void start(const double* gamma);
   double find_misfit(const double* gamma);
   void correct();
@@ -76,6 +97,12 @@ class RangeSpace {
   std::vector<double> before_, lambda_, x_;
   double* a_ = nullptr;  // of the solution under way, in place of Q
   std::unique_ptr<SymmetricFactors> factors_;
+  const BlockElimination* blocks_ = nullptr;  // the same, where they are blocks
+  // With loads.
+  std::vector<int> load_place_;  // [entries] in H_
+  std::vector<double> H_;        // as G_, of G - D^T
+  std::unique_ptr<BlockLu> loaded_factors_;
+  bool loaded_ = false;  // the solution under way
 };
 
 }  // namespace yoke

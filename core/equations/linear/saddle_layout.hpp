@@ -4,6 +4,7 @@
 // What a solver of the saddle system needs to know of a mechanism.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,12 @@ struct SaddleLayout {
   std::span<const int>
       dof;  // coordinate of each local column, those of a body in a row; -1: ground
   std::vector<JacobianBlock> blocks;
-  std::vector<JacobianEntry> entries;  // without those of rows that are left out
-  std::vector<int> left_out;           // rows that never count
-  std::vector<int> switched;           // rows that count at times
-  int rows = 0;                        // equations
+  // Without those of rows that are left out. Asked for where the saddle matrix is made: that may be never, and
+  // these are the most numbers of all.
+  std::function<std::vector<JacobianEntry>()> entries;
+  std::vector<int> left_out;  // rows that never count
+  std::vector<int> switched;  // rows that count at times
+  int rows = 0;               // equations
   int dofs() const { return static_cast<int>(mass.size()); }
 };
 

@@ -45,11 +45,14 @@ SaddleSolver::SaddleSolver(SaddleLayout layout, LinearSolver choice) : layout_(s
 // A model that is solved by blocks may never need it.
 void SaddleSolver::build_matrix() {
   const int n = layout_.dofs();
+  const std::vector<JacobianEntry> entries = layout_.entries();
   PatternBuilder pattern(n + layout_.rows);
+  pattern.reserve(at(n) + layout_.left_out.size() + layout_.switched.size() + 2 * entries.size());
   for (int i = 0; i < n; ++i) pattern.add(i, i);
   for (const int row : layout_.left_out) pattern.add(n + row, n + row);
   for (const int row : layout_.switched) pattern.add(n + row, n + row);
-  for (const JacobianEntry& e : layout_.entries) {
+  stamps_.reserve(entries.size());
+  for (const JacobianEntry& e : entries) {
     const int lower = pattern.add(n + e.row, e.dof);
     stamps_.push_back({e.entry, lower, pattern.add(e.dof, n + e.row)});
   }

@@ -43,6 +43,10 @@ class SaddleSolver {
   const FactorCounters& counters() const { return counters_; }
   /// What is used as long as it is accurate.
   LinearSolver in_use() const;
+  /// What eliminates in the range space, or null.
+  RangeSpace* range() { return range_.get(); }
+  /// Are the present factors its?
+  bool by_range() const { return by_range_; }
 
  private:
   struct Stamp {

@@ -34,6 +34,7 @@ SparseMatrix PatternBuilder::compile(std::vector<int>& slot_of_request) const {
   SparseMatrix matrix;
   matrix.size = size_;
   matrix.column_start.assign(at(size_) + 1, 0);
+  matrix.row.reserve(requests_.size());
   slot_of_request.resize(requests_.size());
   auto begin = entries.begin();
   for (int column = 0; column < size_; ++column) {

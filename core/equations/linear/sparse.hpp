@@ -6,6 +6,7 @@
 // numbers there afterwards.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@ struct SparseMatrix {
 class PatternBuilder {
  public:
   explicit PatternBuilder(int size) : size_(size) {}
+  void reserve(std::size_t requests) { requests_.reserve(requests); }
   /// Asks for an entry; requests for the same entry share a slot. Rows or columns outside the
   /// matrix get the discard slot. Returns the number of the request.
   int add(int row, int column);

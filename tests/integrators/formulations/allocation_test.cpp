@@ -106,6 +106,23 @@ TEST_CASE("stepping, events, restarts and recording allocate nothing") {
   }
 }
 
+TEST_CASE("building a model takes no more per link of a long chain than of a short one") {
+  struct Taken {
+    double allocations, bytes;  // for each link
+  };
+  const auto build = [](int links) -> Taken {
+    const long calls = allocations.load(), asked = bytes.load();
+    const Model model = horizontal_chain(links);
+    return {static_cast<double>(allocations - calls) / links,
+            static_cast<double>(bytes - asked) / links};
+  };
+  const Taken few = build(200), many = build(2000);
+  INFO(many.allocations, " allocations and ", many.bytes, " bytes a link");
+  CHECK(many.allocations <
+        few.allocations + 0.5);          // "body 'link 1000'" is too long for a short string
+  CHECK(many.bytes < 1.25 * few.bytes);  // arrays that double as they grow
+}
+
 TEST_CASE("setting up a run takes no more per link of a long chain than of a short one") {
   struct SetUp {
     double allocations, bytes;  // for each link
