@@ -153,6 +153,22 @@ class Judge {
     return margin * rtol * static_cast<double>(std::max(steps, 30L));
   }
 
+  /// Of rates at each sample, where a truly singular position was crossed: at a distance s from it the
+  /// constraints hold the position across the motion to rounding / s only, which turns the velocity by
+  /// that over s again. s^2 is what the smallest singular value squared says.
+  Eigen::VectorXd rounding_of_rates(const Changed& c) const {
+    Eigen::VectorXd rounded = Eigen::VectorXd::Zero(first_.q.rows());
+    if (first_.summary.singular_positions.empty() || !d_.slots.empty()) return rounded;
+    for (Eigen::Index i = 0; i < rounded.size(); ++i) {
+      State there;
+      there.t = first_.t[i];
+      there.q = first_.q.row(i);
+      const double left = independence(unchanged(d_), there, first_.length);
+      rounded[i] = 2.2e-16 * (1.0 + c.offset.norm() / d_.size) / (left * left);
+    }
+    return rounded;
+  }
+
   /// Beside a truly singular position the motion depends on the root of what rounding does to the
   /// lengths of the links.
   static double fold(const Run& r) {
@@ -231,8 +247,11 @@ class Judge {
     double worst = 0.0, value = 0.0, bound = 1.0;
     Eigen::Index place = 0;
     const double folded = 10.0 * fold(first_) * std::sqrt(1.0 + c.offset.norm() / d_.size);
+    const Eigen::VectorXd rounded = rounding_of_rates(c);
     for (Eigen::Index i = 0; i < apart.size(); ++i) {
-      const double allowed = (allowance(first_) + allowance(other) + folded) * growth_[i];
+      const double allowed =
+          (allowance(first_) + allowance(other) + folded) * growth_[i] + 10.0 * rounded[i];
+      if (rounded[i] > incomparable) continue;  // the sample is at the position itself
       if (allowed > incomparable) break;
       if (apart[i] / allowed >= worst) {
         worst = apart[i] / allowed;

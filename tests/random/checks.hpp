@@ -26,7 +26,8 @@
 //
 // A change of description rounds the lengths of the links. Where a truly singular position was
 // crossed, the motion depends on the root of that: 10 sqrt(rounding) A more is allowed, and
-// sqrt(rounding) of energy and drift.
+// sqrt(rounding) of energy and drift. A sample that happens to lie a distance s beside it has rates
+// that rounding of the lengths turns by rounding / s^2, of which 10 times is allowed.
 //
 // A quarter of the mechanisms also runs at 1e-13 (`tight`), with arkode-projection or ida-ggl: the
 // tightest tolerance accepted must be reached, and shows the error of the first run.
