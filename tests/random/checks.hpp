@@ -14,7 +14,8 @@
 //   violation   results are off the constraints by more than rounding; drift: by more than 300 rtol
 //               (at least 1e-9) before projection
 //   differs     from the first run, by more than 3 (N + N') rtol A(t)
-//   steps       a changed description takes more than four times the steps
+//   steps       a changed description takes more than four times the steps (unless it says itself that
+//               rounding hides 1000 times the tolerance: then its steps follow noise)
 //   none        no equilibrium although the potential energy is bounded below; unrest: bodies
 //               accelerate there; state refused: no run can start from it
 //
