@@ -71,7 +71,7 @@ class SingularCrossing final : public Formulation {
   void end_crossing();
   void look_into_segment(double until);
   void look_beside(double t, std::size_t known, double until, double distance);
-  double measure_in_segment(double t);
+  double measure_in_segment(double t, int rounds = sweeps);
   double find_minimum(double a, double b);
   void note_position();
   double energy(double t, const double* y);

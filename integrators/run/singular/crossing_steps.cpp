@@ -243,10 +243,10 @@ void SingularCrossing::look_into_segment(double until) {
 void SingularCrossing::look_beside(double t, std::size_t known, double until, double distance) {
   for (const double way : {-distance, distance}) {
     const auto place = [&](double part) { return std::clamp(t + part * way, segment_.t, until); };
-    double before = 0.0, now = measure_in_segment(place(first_beside)), last = 0.0;
+    double before = 0.0, now = measure_in_segment(place(first_beside), 2 * sweeps), last = 0.0;
     for (double part = first_beside; part < farthest_beside && place(part) != place(last);) {
       const double next = further_beside * part;
-      const double after = measure_in_segment(place(next));
+      const double after = measure_in_segment(place(next), 2 * sweeps);
       if (now < before && now <= after && before > was_singular * largest_) {
         find_minimum(std::min(place(last), place(next)), std::max(place(last), place(next)));
         const auto is_it = [&](const SingularPosition& p) {
@@ -262,9 +262,9 @@ void SingularCrossing::look_beside(double t, std::size_t known, double until, do
   }
 }
 
-double SingularCrossing::measure_in_segment(double t) {
+double SingularCrossing::measure_in_segment(double t, int rounds) {
   gauss_.interpolate(segment_, t, y_.data());
-  return dynamics_.independence(t, y_.data(), 2 * sweeps);
+  return dynamics_.independence(t, y_.data(), rounds);
 }
 
 /// Golden section: where, between a and b or at one of them.
