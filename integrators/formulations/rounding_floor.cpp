@@ -15,6 +15,7 @@ namespace {
 
 constexpr double fast = 10.0;          // in units of the scales
 constexpr double largest_ratio = 1e6;  // of masses; bodies without mass have no other
+constexpr double handed_on = 0.25;     // of the noise of a fast body, to those it is joined to
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// [dofs] By how much rounding of the heaviest body of an assembly is enlarged in others.
@@ -133,14 +134,19 @@ void RoundingFloor::apply(const double* q, const double* v, double* weight_q, do
     is_fast_[body] = speed > limit;
     if (!(speed > limit)) continue;
     any_fast = true;
+    double& steepness = size_[at(assembly_[body])].steepness;
+    steepness = std::max(steepness, steepness_[body]);
     for (int k = 0; k < 3; ++k) w[k] *= limit / speed;
   }
   if (!any_fast && largest.position < harmless_.position && largest.speed < harmless_.speed) return;
   for (std::size_t body = 0; body < arm_.size(); ++body) {
     const Size& size = size_[at(assembly_[body])];
     const double position = own_ * size.position;
-    double speed = own_ * size.speed;
-    if (is_fast_[body] != 0) speed = std::max(speed, steepness_[body] * followed_ * size.position);
+    // What rounding of the position makes of a fast body's velocity, joints hand on to the others: with
+    // no more energy than it has there, so with the root of the ratio of masses that bound() has in it.
+    const double own_steepness = is_fast_[body] != 0 ? steepness_[body] : 0.0;
+    const double steepness = std::max(own_steepness, handed_on * size.steepness);
+    const double speed = std::max(own_ * size.speed, steepness * followed_ * size.position);
     bound(body, position, share, weight_q + 3 * body);
     bound(body, speed, share, weight_v + 3 * body);
   }

@@ -9,7 +9,8 @@
 // multiple grows with the square root of the ratio: constraints are satisfied in the metric of the
 // masses, which lets the light ones give way. The velocity of a body that has become fast compared
 // with the scales of the model (a heavy body has handed its energy to a light one) is weighted with
-// its speed, and not below what rounding of the position makes of it.
+// its speed, and not below what rounding of the position makes of it; nor are those of the bodies that it is
+// joined to, which give way with it.
 #pragma once
 
 #include <vector>
@@ -55,6 +56,7 @@ class RoundingFloor {
 
   struct Size {
     double position = 0.0, speed = 0.0;  // [m], [m/s]
+    double steepness = 0.0;              // [1/s] of the fast bodies
   };
   std::vector<double> arm_;        // [bodies] how rounding of an angle shows in lengths
   std::vector<double> yielding_;   // [3 bodies] root of the mass ratio

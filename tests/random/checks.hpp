@@ -14,7 +14,8 @@
 //   violation   results are off the constraints by more than rounding; drift: by more than 300 rtol
 //               (at least 1e-9) before projection
 //   differs     from the first run, by more than 3 (N + N') rtol A(t)
-//   steps       a changed description takes more than four times the steps
+//   steps       a changed description takes more than four times the steps (unless it says itself that
+//               rounding hides 1000 times the tolerance: then its steps follow noise)
 //   none        no equilibrium although the potential energy is bounded below; unrest: bodies
 //               accelerate there; state refused: no run can start from it
 //
@@ -26,7 +27,8 @@
 //
 // A change of description rounds the lengths of the links. Where a truly singular position was
 // crossed, the motion depends on the root of that: 10 sqrt(rounding) A more is allowed, and
-// sqrt(rounding) of energy and drift.
+// sqrt(rounding) of energy and drift. A sample that happens to lie a distance s beside it has rates
+// that rounding of the lengths turns by rounding / s^2, of which 10 times is allowed.
 //
 // A quarter of the mechanisms also runs at 1e-13 (`tight`), with arkode-projection or ida-ggl: the
 // tightest tolerance accepted must be reached, and shows the error of the first run.

@@ -127,6 +127,8 @@ const Tangent::Matrix& Statics::calc_matrix(const Vector& x, double inertia) {
 
 bool Statics::factorise(const Vector& x, double inertia) {
   calc_matrix(x, inertia);
+  under_ = 1.0 + inertia;
+  if (inertia > 0.0) moderate();
   lu_.compute(matrix_);
   if (lu_.info() == Eigen::Success) return true;
   add_inertia(regularisation);
@@ -134,8 +136,20 @@ bool Statics::factorise(const Vector& x, double inertia) {
   return lu_.info() == Eigen::Success;
 }
 
+// Under much inertia nearly nothing moves, and beside 1e16 on the diagonal of the forces the elimination
+// of the joints would lose itself in rounding. What moves is therefore found times 1 + inertia.
+void Statics::moderate() {
+  for (int k = 0; k < n_ + nz_; ++k)
+    for (Tangent::Matrix::InnerIterator it(matrix_, k); it; ++it)
+      if (it.row() < n_) it.valueRef() /= under_;
+}
+
 bool Statics::solve(Vector& b) {
+  b.segment(n_, nz_) *= under_;
+  for (Eigen::Index i = 0; i < rows_; ++i)
+    if (!system_.is_dropped(static_cast<int>(i))) b[n_ + nz_ + i] *= under_;
   b = lu_.solve(b).eval();
+  b.head(n_ + nz_) /= under_;
   return b.allFinite();
 }
 

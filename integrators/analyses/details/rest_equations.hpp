@@ -102,6 +102,7 @@ class Statics {
   void add_forces(Vector& Q, Vector& z_dot);
 
   void add_inertia(double inertia);
+  void moderate();
   bool project_in_metric();
 
   /// Which contacts press at the pose set, at rest. `loading`: where a law knows an unloading
@@ -116,6 +117,7 @@ class Statics {
   double length_ = 1.0, force_ = 1.0, load_factor_ = 1.0;
   std::vector<bool> is_load_;
   std::vector<double> share_;
+  double under_ = 1.0;  // 1 + inertia, of the factors
   bool beyond_law_ = false;
   Tangent::Matrix matrix_;
   Eigen::SparseLU<Tangent::Matrix, Eigen::COLAMDOrdering<int>> lu_;

@@ -52,6 +52,7 @@ class SingularCrossing final : public Formulation {
 
   Step step_inside(double t_stop, bool looks = true);
   bool has_passed();
+  bool has_passed_beside_end(double part);
   double parts_of_step() const;
   double measure_inside(double t);
   bool is_minimum_near(double a, double middle, double b);
@@ -70,7 +71,8 @@ class SingularCrossing final : public Formulation {
   bool find_event(int& slot, double& t);
   void end_crossing();
   void look_into_segment(double until);
-  double measure_in_segment(double t);
+  void look_beside(double t, std::size_t known, double until, double distance);
+  double measure_in_segment(double t, int rounds = sweeps);
   double find_minimum(double a, double b);
   void note_position();
   double energy(double t, const double* y);

@@ -22,7 +22,9 @@ constexpr double bearable = 10.0;          // error that rounding may leave, of 
 constexpr double energy_share = 100.0;     // of the relative tolerance
 constexpr double far_enough = 0.6;         // of the largest independence
 constexpr int max_attempts = 200;
-constexpr int max_segments = 2000;  // without getting away
+constexpr int max_segments = 2000;                            // without getting away
+constexpr double first_beside = 0.01, farthest_beside = 2.0;  // of the distance of looks
+constexpr double further_beside = 1.5;                        // from look to look
 
 }  // namespace
 
@@ -206,6 +208,7 @@ Step SingularCrossing::accept_segment() {
 void SingularCrossing::look_into_segment(double until) {
   constexpr int looks = 16;
   constexpr double edge = 0.02;
+  const std::size_t known = positions_.size();
   const auto place = [&](int i) {
     const double part = i == 1 ? edge : i == looks + 1 ? looks - edge : std::clamp(i - 1, 0, looks);
     return segment_.t + (until - segment_.t) * part / looks;
@@ -226,11 +229,42 @@ void SingularCrossing::look_into_segment(double until) {
   falls_at_end_ =
       after < now && find_minimum(place(looks + 1), place(looks + 2)) == place(looks + 2);
   if (after < now && !falls_at_end_) note_position();
+  // Each found leads to its neighbours, and they to theirs; so do ends of the segment between two.
+  const double distance = (until - segment_.t) / looks;
+  for (const double end : {segment_.t, until})
+    if (measure_in_segment(end) < near * largest_) look_beside(end, known, until, distance);
+  for (std::size_t i = known; i < positions_.size(); ++i)
+    look_beside(positions_[i].t, known, until, distance);
+  std::ranges::sort(positions_, {}, &SingularPosition::t);
 }
 
-double SingularCrossing::measure_in_segment(double t) {
+// Two positions closer than the looks are one minimum to them. Beside the one found the independence
+// rises; where it falls again there is another, if the rank was full in between.
+void SingularCrossing::look_beside(double t, std::size_t known, double until, double distance) {
+  for (const double way : {-distance, distance}) {
+    const auto place = [&](double part) { return std::clamp(t + part * way, segment_.t, until); };
+    double before = 0.0, now = measure_in_segment(place(first_beside), 2 * sweeps), last = 0.0;
+    for (double part = first_beside; part < farthest_beside && place(part) != place(last);) {
+      const double next = further_beside * part;
+      const double after = measure_in_segment(place(next), 2 * sweeps);
+      if (now < before && now <= after && before > was_singular * largest_) {
+        find_minimum(std::min(place(last), place(next)), std::max(place(last), place(next)));
+        const auto is_it = [&](const SingularPosition& p) {
+          return std::abs(p.t - least_.t) < 0.1 * first_beside * distance;
+        };
+        if (std::none_of(positions_.begin() + static_cast<std::ptrdiff_t>(known), positions_.end(),
+                         is_it))
+          note_position();
+      }
+      last = std::exchange(part, next);
+      before = std::exchange(now, after);
+    }
+  }
+}
+
+double SingularCrossing::measure_in_segment(double t, int rounds) {
   gauss_.interpolate(segment_, t, y_.data());
-  return dynamics_.independence(t, y_.data(), sweeps);
+  return dynamics_.independence(t, y_.data(), rounds);
 }
 
 /// Golden section: where, between a and b or at one of them.
@@ -249,7 +283,8 @@ double SingularCrossing::find_minimum(double a, double b) {
       (left ? a : b) = next;
     }
   }
-  const double t = a == first ? first : b == last ? last : middle;
+  const double at_end = 1e-3 * (last - first);  // beside an end rounding hides which way is down
+  const double t = middle - first < at_end ? first : last - middle < at_end ? last : middle;
   least_ = {.t = t, .equation = {}, .independence = measure_in_segment(t)};
   least_.equation = dynamics_.system().equation_name(dynamics_.weakest_row());
   if (!has_found_ || least_.independence < found_.independence) found_ = least_;

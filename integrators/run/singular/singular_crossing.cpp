@@ -181,9 +181,26 @@ bool SingularCrossing::has_passed() {
       return true;
     before = std::exchange(now, after);
   }
+  if (!(now < before && now < in_sight * largest_)) return false;
   const double last = next_.t - edge * part;
-  return now < before && now < in_sight * largest_ && measure_inside(last) < now &&
-         is_minimum_near(next_.t - part, last, next_.t);
+  if (measure_inside(last) < now) return is_minimum_near(next_.t - part, last, next_.t);
+  return now < near * largest_ && has_passed_beside_end(part);
+}
+
+// A step that ends beside a singular position may have passed another one close to it, which the
+// fall to the end hides from looks that are farther apart.
+bool SingularCrossing::has_passed_beside_end(double part) {
+  constexpr double further = 1.5;
+  const double most = std::min(2.0 * part, next_.t - here_.t);
+  double before = 0.0, now = measure_inside(next_.t - edge * part), away = edge * part;
+  for (; further * away < most; away *= further) {
+    const double after = measure_inside(next_.t - further * away);
+    if (now < before && now <= after &&
+        is_minimum_near(next_.t - further * away, next_.t - away, next_.t - away / further))
+      return true;
+    before = std::exchange(now, after);
+  }
+  return false;
 }
 
 // The least independence between a and b, which enclose it, by golden section: is it one to stay

@@ -12,6 +12,8 @@
 
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/integrators/analyses/equilibrium.hpp>
+#include <yoke/joints/gear.hpp>
+#include <yoke/joints/point_on_line.hpp>
 #include <yoke/tests/integrators/analyses/random_held.hpp>
 #include <yoke/tests/messages.hpp>
 
@@ -148,6 +150,71 @@ TEST_CASE("light bodies on stiff springs come to rest beside one of 9e6 kg") {
                                  {block, Vec2(-0.0500709, 0.0096)}})
     spring(("holds " + std::to_string(held.index)).c_str(), ground, held, at + up, at, stiff,
            length);
+  const Equilibrium e = equilibrium(m, {.allow_neutral = true});
+  REQUIRE_MESSAGE(e.found, e.reason);
+  Dynamics dynamics(m);
+  CHECK(imbalance(dynamics, e.state) < 1e-9);
+  CHECK(e.iterations < 2000);
+}
+
+// Random mechanism 6275, made smaller.
+TEST_CASE("a body held at three lines and rods nearly through one point is let down to rest") {
+  Model m;
+  const BodyId held = m.add(Body{.name = "held",
+                                 .mass = 4.1000000000000005,
+                                 .inertia = 0.027,
+                                 .pose = {{0.10034068359226209, -0.028196846638729105}}});
+  const BodyId heavy = m.add(Body{.name = "heavy",
+                                  .mass = 479073.566,
+                                  .inertia = 3000.0,
+                                  .pose = {{-0.19445484835865487, 0.12676441096685603}}});
+  const BodyId light = m.add(Body{.name = "light",
+                                  .mass = 4.1000000000000005,
+                                  .inertia = 0.005,
+                                  .pose = {{0.17, 0.056}, 1.198467387647252}});
+  const auto line = [&](const char* name, BodyId body, const Vec2& at, const Vec2& through,
+                        const Vec2& along) {
+    m.add(PointOnLine{
+        .name = name, .a = body, .at = at, .b = ground, .through = through, .along = along});
+  };
+  line("line 1", held, {0.04484944074064031, -0.007380406265532689},
+       {-0.05892988961291502, -0.09935329117488191}, {0.7483946885145356, 0.6632536394195143});
+  line("line 3", light, {0.08001626714736673, 0.01657597308415498},
+       {0.14614105334810212, 0.019955697985808377}, {-0.9986963702568908, -0.05104468665504036});
+  line("line 4", held, {0.07610285624779703, -0.025773765152945594},
+       {-0.009507169810719501, -0.11982840539216436}, {0.6731281612506302, 0.7395258471016044});
+  m.add(Revolute{
+      .name = "pin", .a = ground, .b = heavy, .at = {-0.03705391754715234, 0.06646961014373576}});
+  m.add(Distance{
+      .name = "rod", .a = ground, .b = held, .at_a = {-0.022, -0.082}, .at_b = {0.098, -0.028}});
+  m.add(
+      Gear{.name = "gear", .a = held, .b = heavy, .carrier = ground, .ratio = 1.6632159621822111});
+  m.add(TorsionalSpring{.name = "coil 1",
+                        .a = heavy,
+                        .b = light,
+                        .stiffness = 0.0761842989081799,
+                        .damping = 0.0,
+                        .free_angle = 1.198467387647252});
+  m.add(TorsionalSpring{.name = "coil 2",
+                        .a = light,
+                        .b = heavy,
+                        .stiffness = 0.06604887220792265,
+                        .damping = 0.0,
+                        .free_angle = -0.30407265360682567});
+  m.add(TranslationalSpring{.name = "spring",
+                            .a = light,
+                            .b = held,
+                            .at_a = {0.0693794299943755, 0.027805254112357496},
+                            .at_b = {0.1462430844057824, -0.027002614087565595},
+                            .stiffness = 7.072600785979768,
+                            .free_length = 0.05612145680536439});
+  m.add(TranslationalSpring{.name = "holds",
+                            .a = ground,
+                            .b = light,
+                            .at_a = {0.26773577180605235, 0.13418861744484184},
+                            .at_b = {0.20909430872242094, 0.056},
+                            .stiffness = 14372452.99,
+                            .free_length = 0.09773577180605232});
   const Equilibrium e = equilibrium(m, {.allow_neutral = true});
   REQUIRE_MESSAGE(e.found, e.reason);
   Dynamics dynamics(m);

@@ -10,6 +10,7 @@
 
 #include <yoke/contact/laws/elastic/power_law.hpp>
 #include <yoke/integrators/simulate.hpp>
+#include <yoke/joints/distance.hpp>
 #include <yoke/joints/forces/applied_torque.hpp>
 #include <yoke/joints/forces/gravity.hpp>
 #include <yoke/tests/integrators/mechanisms.hpp>
@@ -94,4 +95,33 @@ TEST_CASE("a thousand turns cost an explicit run no digit of what is driven by t
   CHECK(std::abs(run["rotor.omega_rad_per_s"](1) - 50.0) < 1e-9);
   CHECK(std::abs(run["rotor.angle_rad"](1) - 2.0 * pi * turns) < 1e-7);
   CHECK(std::abs(run["bob.angle_rad"](1) - run["rotor.angle_rad"](1)) < 1e-9);
+}
+
+// Random mechanism 24312, made smaller.
+TEST_CASE(
+    "a falling weight that jerks a chain of light links straight is followed through the jerk") {
+  for (const char* formulation : {"cvode-projection", "ida-ggl", "arkode-projection"}) {
+    const std::string name = formulation;
+    INFO(name);
+    Model m;
+    const BodyId upper =
+        m.add(Body{.name = "upper", .mass = 4.3, .inertia = 0.061, .pose = {{0.24, -0.08}, 0.0}});
+    const BodyId middle =
+        m.add(Body{.name = "middle", .mass = 1.5, .inertia = 0.015, .pose = {{0.42, -0.28}, 0.0}});
+    const BodyId lower =
+        m.add(Body{.name = "lower", .mass = 2.0, .inertia = 0.017, .pose = {{0.34, -0.62}, 0.0}});
+    const BodyId weight =
+        m.add(Body{.name = "weight", .mass = 9.7e6, .inertia = 3e4, .pose = {{0.48, -0.76}, 0.0}});
+    m.add(Revolute{.name = "hook", .a = ground, .b = upper, .at = {0.13, -0.11}});
+    m.add(Revolute{.name = "pin 1", .a = upper, .b = middle, .at = {0.29, -0.25}});
+    m.add(Revolute{.name = "pin 2", .a = middle, .b = lower, .at = {0.44, -0.51}});
+    m.add(Distance{
+        .name = "rod", .a = lower, .b = weight, .at_a = {0.29, -0.7}, .at_b = {0.61, -0.78}});
+    m.add(Gravity{.acceleration = {-0.25, -1.0}});
+    const Result run =
+        simulate(m, {.until = 0.85, .relative_tolerance = 1e-9, .formulation = name, .samples = 2});
+    CHECK_MESSAGE(run.summary.ok(), run.summary.reason);
+    CHECK(std::abs(run.summary.energy_balance) < 1e-5 * run.summary.energy_exchanged);
+    CHECK(run.summary.steps < 20000);
+  }
 }

@@ -88,6 +88,29 @@ double bar(const FormulationNote& f, double runge_kutta, double multistep, doubl
   return f.order <= 2 ? second_order : is_multistep(f) ? multistep : runge_kutta;
 }
 
+/// Three parallelograms that have nothing to do with each other, each turning 1 rad/s, `behind` s after
+/// the one before: every half turn three singular positions. They lie flat pi - 1.1 s after the start.
+Model parallelograms_in_a_row(double behind) {
+  Model m;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = std::to_string(i + 1);
+    const Vec2 left(0.0, 3.0 * i), right = left + Vec2(2.0, 0.0);
+    const Vec2 up = rotate(1.1 - behind * i, {1.0, 0.0});
+    const BodyId a = add_rod(m, "left " + name, left, left + up, 1.0);
+    const BodyId b = add_rod(m, "right " + name, right, right + up, 1.0);
+    const BodyId coupler = m.add({.name = "coupler " + name,
+                                  .mass = 1.0,
+                                  .inertia = 0.1,
+                                  .pose = {left + up + Vec2(1.0, 0.0), 0.0},
+                                  .twist = {perp(up), 0.0}});
+    m.add(Revolute{.name = "foot a" + name, .a = ground, .b = a, .at = left});
+    m.add(Revolute{.name = "foot b" + name, .a = ground, .b = b, .at = right});
+    m.add(Revolute{.name = "tip a" + name, .a = a, .b = coupler, .at = left + up});
+    m.add(Revolute{.name = "tip b" + name, .a = b, .b = coupler, .at = right + up});
+  }
+  return m;
+}
+
 double n_four_bar_error(const Result& run, int loops) {
   const Eigen::VectorXd t = run["t_s"], angle = run["link 0.angle_rad"];
   double worst = 0.0;
@@ -209,6 +232,31 @@ TEST_CASE("no singular position is passed without notice, however long the steps
               static_cast<std::ptrdiff_t>(passed));
         for (const SingularPosition& p : found)
           CHECK(std::abs(p.energy_after - p.energy_before) < rtol * run.summary.energy_exchanged);
+      }
+    }
+  }
+}
+
+TEST_CASE("singular positions that follow each other closely are told apart, at any tolerance") {
+  for (const FormulationNote& formulation : formulations()) {
+    for (const double behind : {0.01, 0.03}) {
+      for (const double rtol : {1e-2, 1e-6}) {
+        INFO(formulation.name, " ", behind, " ", rtol);
+        const Result run =
+            simulate(parallelograms_in_a_row(behind), {.until = 6.0,
+                                                       .relative_tolerance = rtol,
+                                                       .formulation = std::string(formulation.name),
+                                                       .samples = 0});
+        REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+        const auto& found = run.summary.singular_positions;
+        REQUIRE(found.size() == 6);
+        for (const std::size_t half_turn : {0UL, 3UL})
+          for (std::size_t i = half_turn + 1; i < half_turn + 3; ++i)
+            CHECK(found[i].t - found[i - 1].t == doctest::Approx(behind).epsilon(0.1));
+        CHECK(std::abs(found[0].t - (pi - 1.1)) < 100.0 * rtol);
+        CHECK(std::ranges::count(run.events, "singular_position", &EventRecord::kind) == 6);
+        for (const Eigen::Index coupler : {2, 5, 8})  // the branch
+          CHECK(std::abs(run.final.q[3 * coupler + 2]) < 1e-9);
       }
     }
   }
