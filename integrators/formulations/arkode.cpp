@@ -36,6 +36,8 @@ constexpr double reached = 1.0 + 1e-9;  // a step that comes so near to a stop e
 constexpr int interpolant = 3;
 // In units of the error weights; a step that is within its tolerance needs about one.
 constexpr double largest_projection = 1e4;
+// A solution errs less than its judge allows, one of order 7 by far: so should what lies within its steps.
+constexpr double below_judge = 10.0;
 constexpr double least_error = 1e-6;  // that says something about the length of steps
 
 /// One over the tolerances of q, v and z.
@@ -392,9 +394,10 @@ void Arkode::glance(double t, State& state) {
 
 /// By the weights of the last step.
 DenseStep::Norm Arkode::norm() {
-  return [this](const double* error) {
+  const double stricter = active_->pair->order == OrderChoice::high ? below_judge : 1.0;
+  return [this, stricter](const double* error) {
     ARKodeGetErrWeights(active_->memory, sensible_weights_);
-    return norm_of(error);
+    return stricter * norm_of(error);
   };
 }
 
