@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include <yoke/integrators/formulations/event_guard.hpp>
@@ -162,6 +161,7 @@ bool StiffnessSwitch::wants_other() {
 
 // At the end of the last step; false if there is no way to start the other one there.
 bool StiffnessSwitch::change(bool to_implicit) {
+  span_->bounded = 0;
   active_->interpolate(t_good_, state_);
   const bool consistent =
       dynamics_.project(state_.t, state_.q.data(), state_.v.data()) &&
@@ -181,7 +181,6 @@ void StiffnessSwitch::begin(bool implicit, const State& state) {
   span.implicit = implicit;
   span.trial = {};
   span.judged = 0.0;
-  span.bounded = 0;
   active_ = implicit ? implicit_.get() : explicit_.get();
   active_->start(state);
   t_good_ = state.t;
