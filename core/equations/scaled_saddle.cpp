@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/assemblies.hpp>
 #include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
@@ -66,18 +67,56 @@ bool ScaledSaddle::factorise(double mu) {
   return lu_->factorise(matrix_);
 }
 
+namespace {
+
+/// Largest mass [kg] and inertia [kg m^2] of the bodies tied together, and how far they spread [m].
+struct Size {
+  double mass = 0.0, inertia = 0.0, length = 0.0;
+};
+
+// Of each assembly its own, as far as it has them: others must not tell how it starts.
+std::vector<Size> sizes_of(const System& system, const std::vector<int>& assembly) {
+  constexpr double no_length = 1e-6;  // bodies in one place, but for rounding
+  const auto& bodies = system.model().bodies();
+  std::vector<Size> size(assembly.size());
+  std::vector<Vec2> centre(assembly.size(), Vec2::Zero());
+  std::vector<double> count(assembly.size(), 0.0), spread = count;
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    Size& s = size[at(assembly[i])];
+    s.mass = std::max(s.mass, bodies[i + 1].mass);
+    s.inertia = std::max(s.inertia, bodies[i + 1].inertia);
+    centre[at(assembly[i])] += bodies[i + 1].pose.position;
+    count[at(assembly[i])] += 1.0;
+  }
+  for (std::size_t i = 0; i < assembly.size(); ++i) {
+    const std::size_t own = at(assembly[i]);
+    spread[own] += (bodies[i + 1].pose.position - centre[own] / count[own]).squaredNorm();
+  }
+  for (std::size_t k = 0; k < size.size(); ++k) {
+    Size& s = size[k];
+    if (count[k] > 0.0) s.length = std::sqrt(spread[k] / count[k]);
+    if (s.mass > 0.0) s.length = std::max(s.length, std::sqrt(s.inertia / s.mass));
+    if (!(s.length > no_length * system.natural_length())) s.length = system.natural_length();
+    if (s.mass == 0.0) s.mass = s.inertia / (s.length * s.length);
+    if (s.mass == 0.0) s.mass = system.mean_mass();
+  }
+  return size;
+}
+
+}  // namespace
+
 std::vector<double> metric_of_masses(const System& system) {
   // Small enough to leave the motion to those that have mass, large enough for the numerics.
   constexpr double next_to_nothing = 1e-6;
   std::vector<double> weights(system.mass().begin(), system.mass().end());
   if (!system.has_massless()) return weights;
-  double mass = 0.0;
-  for (std::size_t i = 0; i < weights.size(); i += 3) mass = std::max(mass, weights[i]);
-  if (mass == 0.0) mass = system.mean_mass();
-  const double length = system.natural_length();
-  for (std::size_t i = 0; i < weights.size(); ++i)
+  const std::vector<int> assembly = assemblies_of(system);
+  const std::vector<Size> size = sizes_of(system, assembly);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Size& own = size[at(assembly[i / 3])];
     if (weights[i] == 0.0)
-      weights[i] = next_to_nothing * mass * (i % 3 == 2 ? length * length : 1.0);
+      weights[i] = next_to_nothing * own.mass * (i % 3 == 2 ? own.length * own.length : 1.0);
+  }
   return weights;
 }
 

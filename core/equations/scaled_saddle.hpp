@@ -49,7 +49,8 @@ class ScaledSaddle {
   std::unique_ptr<SparseLU> lu_;
 };
 
-/// [dofs] masses and inertias; for a body without one of them next to nothing.
+/// [dofs] masses and inertias; for a body without one of them next to nothing of those of its own
+/// assembly, which others do not change.
 std::vector<double> metric_of_masses(const System& system);
 /// [dofs] 1 for x and y, the square of the body's arm for its angle: how far from its centre its
 /// joints are at the model's start pose. Rank and its loss are measured in this metric: it depends

@@ -95,8 +95,10 @@ std::string Run::blame() {
   if (std::string element = blame_element(dynamics_.system()); !element.empty()) return element;
   State there = last_good_state();
   const bool too_tight = looser_tolerance_helps(there);
-  dynamics_.system().bind(state_);
-  return blame_surroundings(dynamics_, there, result_.events, standstill_.last_steps(), too_tight);
+  std::string text =
+      blame_surroundings(dynamics_, there, result_.events, standstill_.last_steps(), too_tight);
+  dynamics_.system().bind(state_);  // no longer to `there`
+  return text;
 }
 
 std::string Run::explain_stop(double t, Step step) {

@@ -15,13 +15,11 @@
 
 #include <vector>
 
+#include <yoke/core/equations/assemblies.hpp>
 #include <yoke/core/equations/dynamics.hpp>
 #include <yoke/integrators/formulations/formulation.hpp>
 
 namespace yoke {
-
-/// [bodies] Which bodies constraints tie together, not by way of the ground: one of them for each.
-std::vector<int> assemblies_of(const System& system);
 
 class RoundingFloor {
  public:

@@ -41,6 +41,24 @@ std::string most_violent(Dynamics& dynamics, State& there) {
                             system.equation_name(dynamics.worst_row()));
 }
 
+// Friction may wedge a moment later: the last good state is the last that has a solution. Looked for
+// along the motion as it is there, in steps that grow.
+std::string blame_wedge_ahead(Dynamics& dynamics, State& there) {
+  System& system = dynamics.system();
+  if (system.loaded().empty() || !there.q.allFinite() || !there.v.allFinite()) return "";
+  bool solved = dynamics.calc_accelerations(there);
+  State ahead = there;
+  for (double share = 1e-12; solved && share <= 1e-6; share *= 10.0) {
+    const double h = share * system.scales().time;
+    ahead.t = there.t + h;
+    ahead.q = there.q + h * there.v;
+    ahead.v = there.v + h * there.a;
+    solved = dynamics.calc_accelerations(ahead);
+  }
+  system.bind(there);
+  return !solved && system.wedged() ? blame_element(system) : "";
+}
+
 }  // namespace
 
 std::string not_projected(std::string_view place, double t) {
@@ -81,6 +99,8 @@ std::string blame_element(const System& system) {
 std::string blame_surroundings(Dynamics& dynamics, State& there,
                                const std::vector<EventRecord>& events,
                                std::span<const double, 3> last_steps, bool too_tight) {
+  if (!too_tight)
+    if (std::string wedge = blame_wedge_ahead(dynamics, there); !wedge.empty()) return wedge;
   return fmt::format(
       ": {}{}; last steps {:.1e}, {:.1e}, {:.1e} s{}",
       too_tight ? "the tolerance is too tight for this formulation: a looser one gets on from there"

@@ -26,9 +26,10 @@ std::string chattering(long most, double window, double t, const std::vector<Eve
 
 /// The element that gave a value that is not finite, if that is why a step failed; else empty.
 std::string blame_element(const System& system);
-/// If no element is to blame: whether the tolerance is too tight (a looser one has been tried and
-/// gets on from there), the last event, the last steps [s], and what moves most violently at `there`,
-/// the last good state, whose accelerations are solved for.
+/// If no element is to blame there: friction that wedges shortly after `there`, the last good state;
+/// else whether the tolerance is too tight (a looser one has been tried and gets on from there), the
+/// last event, the last steps [s], and what moves most violently at `there`, whose accelerations are
+/// solved for. `dynamics` is bound to `there` afterwards.
 std::string blame_surroundings(Dynamics& dynamics, State& there,
                                const std::vector<EventRecord>& events,
                                std::span<const double, 3> last_steps, bool too_tight);

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <yoke/core/equations/assemblies.hpp>
 #include <yoke/core/equations/linear/index.hpp>
-#include <yoke/integrators/formulations/rounding_floor.hpp>
 
 namespace yoke {
 

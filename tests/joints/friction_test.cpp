@@ -410,6 +410,33 @@ TEST_CASE(
   CHECK_MESSAGE(contains(wedges.summary.reason, "'guide.friction' wedges"), wedges.summary.reason);
 }
 
+TEST_CASE(
+    "joint friction that wedges a moment after the last good state is to blame for the stop") {
+  // As above, but a torque holds the block back from tipping, until it falls below
+  // m g (mu h - L/2): two reactions that satisfy the friction become one there, and then none.
+  for (const char* formulation : {"arkode-projection", "ida-ggl", "generalised-alpha"}) {
+    CAPTURE(formulation);
+    Model model;
+    const BodyId block = model.add(Body{.name = "block",
+                                        .mass = 2.0,
+                                        .inertia = 0.01,
+                                        .pose = {{0.0, 0.11}, 0.0},
+                                        .twist = {{1.0, 0.0}, 0.0}});
+    model.add(Gravity{});
+    model.add(AppliedTorque{
+        .name = "hand", .body = block, .torque = [](double t) { return 0.2 - 5.0 * t; }});
+    model.add(Prismatic{.name = "guide",
+                        .a = ground,
+                        .b = block,
+                        .at = Vec2(0.0, 0.0),
+                        .friction = GuideFriction{.law = Coulomb{0.5, 0.5}, .length = 0.1}});
+    const Result r = simulate(model, {.until = 0.05, .formulation = formulation, .samples = 3});
+    CHECK(!r.summary.ok());
+    CHECK(r.summary.t_end < (0.2 - 2.0 * g * (0.5 * 0.11 - 0.05)) / 5.0 + 1e-6);
+    CHECK_MESSAGE(contains(r.summary.reason, "'guide.friction' wedges"), r.summary.reason);
+  }
+}
+
 TEST_CASE("joint friction: mechanics solve for it at forces given") {
   const SliderCrank m{.speed = 6.0, .law = Coulomb{0.2, 0.2}};
   const Model model = m.model();
