@@ -116,7 +116,7 @@ class Run {
   std::string explain_stop(double t, Step step);
   bool fail_at(double t, Step step);
   void finish();
-  void note_rounding();
+  void note_steps();
   void summarise();
   void stop(Stop why, std::string reason);
   bool fail(std::string reason);

@@ -78,7 +78,7 @@ bool Run::goes_on_with_less() {
     return false;
   }
   cost_.write(dynamics_, *formulation_, result_.summary);
-  note_rounding();
+  note_steps();
   cost_.close(dynamics_, result_.summary);
   state_ = std::move(there);
   result_.summary.tolerance_kept = easier * relative_tolerance();
@@ -144,11 +144,11 @@ void Run::finish() {
     settle();
   }
   summarise();
-  note_rounding();
+  note_steps();
 }
 
-// Once, at the end: how much of the tolerance was out of reach.
-void Run::note_rounding() {
+// Once, at the end: who made the steps, and how much of the tolerance was out of reach.
+void Run::note_steps() {
   const StepCounters counters = formulation_->counters();
   if (counters.by_other > 0)
     result_.summary.notes.push_back(

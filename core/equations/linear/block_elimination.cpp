@@ -132,22 +132,28 @@ bool BlockElimination::factorise(double least) {
   return true;
 }
 
-void BlockElimination::solve(double* x) {
-  const int columns = pattern_.columns();
-  const int* row = pattern_.row.data();
-  const double* D = value_.data();
+const double* substitute_forward(const BlockPattern& pattern, const double* D, double* x) {
+  const int columns = pattern.columns();
+  const int* row = pattern.row.data();
   for (int k = 0; k < columns; ++k) {
     double* y = x + 2 * k;
     const double u = D[0] * y[0] + D[1] * y[1], v = D[2] * y[0] + D[3] * y[1];
     y[0] = u;
     y[1] = v;
     D += 4;
-    for (int a = pattern_.start[at(k)]; a < pattern_.start[at(k) + 1]; ++a, D += 4) {
+    for (int a = pattern.start[at(k)]; a < pattern.start[at(k) + 1]; ++a, D += 4) {
       double* z = x + 2 * row[a];
       z[0] -= D[0] * u + D[1] * v;
       z[1] -= D[2] * u + D[3] * v;
     }
   }
+  return D;
+}
+
+void BlockElimination::solve(double* x) {
+  const int columns = pattern_.columns();
+  const int* row = pattern_.row.data();
+  const double* D = substitute_forward(pattern_, value_.data(), x);
   for (int k = columns - 1; k >= 0; --k) {
     double u = 0.0, v = 0.0;
     for (int a = pattern_.start[at(k) + 1] - 1; a >= pattern_.start[at(k)]; --a) {

@@ -84,19 +84,7 @@ void BlockLu::solve(double* x) const {
   const BlockPattern& pattern = twin_.pattern();
   const int columns = pattern.columns();
   const int* row = pattern.row.data();
-  const double* D = lower_.data();
-  for (int k = 0; k < columns; ++k) {
-    double* y = x + 2 * k;
-    const double u = D[0] * y[0] + D[1] * y[1], v = D[2] * y[0] + D[3] * y[1];
-    y[0] = u;
-    y[1] = v;
-    D += 4;
-    for (int a = pattern.start[at(k)]; a < pattern.start[at(k) + 1]; ++a, D += 4) {
-      double* z = x + 2 * row[a];
-      z[0] -= D[0] * u + D[1] * v;
-      z[1] -= D[2] * u + D[3] * v;
-    }
-  }
+  const double* D = substitute_forward(pattern, lower_.data(), x);
   const double* U = upper_.data() + (D - lower_.data());
   for (int k = columns - 1; k >= 0; --k) {
     double u = 0.0, v = 0.0;

@@ -24,7 +24,6 @@ class StabilityWatch {
   void end_step(double h);
   /// Has that been so in most of the last steps?
   bool bounds_steps() const { return bounded_ >= enough; }
-  void reset() { bounded_ = free_ = 0; }
 
  private:
   static constexpr int enough = 15;
