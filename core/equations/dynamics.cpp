@@ -191,7 +191,7 @@ bool Dynamics::improve_position(double* q) {
   std::fill_n(b_.begin(), n, 0.0);
   for (int i = 0; i < system_.rows(); ++i)
     b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -phi_[at(i)];
-  saddle_->solve(b_.data());
+  saddle_->solve_nearly(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
     q[i] += b_[at(i)];
@@ -202,7 +202,7 @@ bool Dynamics::improve_position(double* q) {
 bool Dynamics::project_positions(double t, double* q, Correction how) {
   const double tolerance = position_tolerance(q);
   double last = std::numeric_limits<double>::infinity();
-  corrected_ = last;
+  factors_for_ = last;
   for (int iteration = 0; iteration < max_projection_iterations; ++iteration) {
     system_.set_motion(t, q, zero_.data());
     system_.calc_position_level(phi_.data());
@@ -213,10 +213,14 @@ bool Dynamics::project_positions(double t, double* q, Correction how) {
     // Newton squares the error; where it stops doing so, rounding is all that is left.
     if (enough || norm == 0.0 || (norm < 1e3 * tolerance && norm > 0.5 * last)) return true;
     if (!std::isfinite(norm)) return false;
+    // With the factors of the first correction another one leaves as little where that was small.
+    const bool chord = iteration == 1 && norm * norm <= 0.1 * tolerance * last;
     last = norm;
-    if (!same_as_factorised(t, q) && !factorise_at(t, q)) return false;
+    if (!chord) {
+      if (!same_as_factorised(t, q) && !factorise_at(t, q)) return false;
+      factors_for_ = norm;
+    }
     if (!improve_position(q)) return false;
-    corrected_ = norm;
   }
   return false;
 }
@@ -233,9 +237,8 @@ bool Dynamics::project_velocities(double t, const double* q, double* v, Rows whi
 bool Dynamics::project(double t, double* q, double* v, Correction how) {
   if (!project_positions(t, q, how)) return false;
   system_.set_motion(t, q, v);
-  // The factors are those of the position before the last correction. If that was within rounding
-  // of this one they serve as well.
-  const bool serve = how == Correction::smooth && corrected_ <= 1e3 * position_tolerance(q);
+  // Factors of a position within rounding of this one serve as well.
+  const bool serve = how == Correction::smooth && factors_for_ <= 1e3 * position_tolerance(q);
   if (!serve && !same_as_factorised(t, q) && !factorise_at(t, q)) return false;
   return improve_velocity(v);
 }
@@ -248,7 +251,7 @@ bool Dynamics::improve_velocity(double* v, Rows which) {
   for (int i = 0; i < system_.rows(); ++i)
     b_[at(n + i)] = system_.is_dropped(i) ? 0.0 : -residual_[at(i)];
   if (which == Rows::of_positions) std::fill(b_.begin() + n + system_.joint_rows(), b_.end(), 0.0);
-  saddle_->solve(b_.data());
+  saddle_->solve_nearly(b_.data());
   for (int i = 0; i < n; ++i) {
     if (!std::isfinite(b_[at(i)])) return false;
     const double before = v[i];

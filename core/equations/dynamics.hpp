@@ -203,7 +203,8 @@ class Dynamics {
   std::vector<double> weakest_;
   int weakest_row_ = 0;
   int worst_row_ = 0;
-  double corrected_ = 0.0;  // violation that the last correction of a position was for, or infinity
+  double factors_for_ =
+      0.0;  // violation where a position was when its factors were made, or infinity
   double worst_residual_ = 0.0;
   long evaluations_ = 0;
 };

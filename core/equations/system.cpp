@@ -314,10 +314,10 @@ void System::set_motion(double t, const double* q, const double* v) {
     b.x = q[0];
     b.y = q[1];
     // Bodies that only slide keep their angle: two sines saved.
-    if (b.angle != q[2]) {
-      b.angle = q[2];
-      b.c = std::cos(q[2]);
-      b.s = std::sin(q[2]);
+    if (const double angle = q[2]; b.angle != angle) {
+      b.angle = angle;
+      b.c = std::cos(angle);
+      b.s = std::sin(angle);
     }
     b.vx = v[0];
     b.vy = v[1];

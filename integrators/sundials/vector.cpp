@@ -132,21 +132,52 @@ sunrealtype largest_group(N_Vector x_vector, N_Vector w_vector) {
   return std::isfinite(sum) ? std::sqrt(largest / coordinates) : sum;
 }
 
+/// The sum of the first so many terms at a time, added up from left to right.
+class Terms {
+ public:
+  explicit Terms(std::size_t size) : size_(size) {}
+
+  void add(double c, const double* x, double* sum) {
+    c_[count_] = c;
+    x_[count_++] = x;
+    if (count_ == most) flush(sum);
+  }
+
+  void flush(double* sum) {
+    if (count_ == most) {
+      const double a = c_[0], b = c_[1], c = c_[2], d = c_[3];
+      const double *x = x_[0], *y = x_[1], *z = x_[2], *w = x_[3];
+      for (std::size_t i = 0; i < size_; ++i)
+        sum[i] = sum[i] + a * x[i] + b * y[i] + c * z[i] + d * w[i];
+    } else {
+      for (std::size_t k = 0; k < count_; ++k)
+        for (std::size_t i = 0; i < size_; ++i) sum[i] += c_[k] * x_[k][i];
+    }
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t most = 4;
+  std::array<double, most> c_;
+  std::array<const double*, most> x_;
+  std::size_t count_ = 0, size_;
+};
+
 /// In blocks that stay in the cache nearest to the processor.
 int linear_combination(int count, sunrealtype* c, N_Vector* x, N_Vector z) {
   constexpr sunindextype block = 128;
-  std::array<double, block> part;
+  std::array<double, block> sum;
   const sunindextype n = NV_LENGTH_S(z);
   for (sunindextype begin = 0; begin < n; begin += block) {
     const auto m = static_cast<std::size_t>(std::min(block, n - begin));
     const double* first = NV_DATA_S(x[0]) + begin;
-    for (std::size_t i = 0; i < m; ++i) part[i] = c[0] * first[i];
-    for (int k = 1; k < count; ++k) {
-      if (c[k] == 0.0) continue;  // as many coefficients of Runge-Kutta methods are
-      const double* next = NV_DATA_S(x[k]) + begin;
-      for (std::size_t i = 0; i < m; ++i) part[i] += c[k] * next[i];
-    }
-    std::copy_n(part.begin(), m, NV_DATA_S(z) + begin);
+    for (std::size_t i = 0; i < m; ++i) sum[i] = c[0] * first[i];
+    Terms terms(m);
+    for (int k = 1; k < count; ++k)
+      if (c[k] != 0.0)  // as many coefficients of Runge-Kutta methods are
+        terms.add(c[k], NV_DATA_S(x[k]) + begin, sum.data());
+    terms.flush(sum.data());
+    std::copy_n(sum.begin(), m, NV_DATA_S(z) + begin);
   }
   return 0;
 }

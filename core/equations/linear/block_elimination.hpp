@@ -15,18 +15,15 @@
 
 namespace yoke {
 
-/// An order of elimination that makes little fill: the old number of each column. `pairs` couples columns.
-std::vector<int> elimination_order(int columns, const std::vector<std::pair<int, int>>& pairs);
-
 /// x [2 columns] becomes L^-1 x, with inverses of the pivots applied: column by column, each the inverse of its pivot and
 /// the blocks below it. What follows the last block of `D`.
 const double* substitute_forward(const BlockPattern& pattern, const double* D, double* x);
 
 class BlockElimination final : public SymmetricFactors {
  public:
-  /// Columns are eliminated in their order. Null where factorising takes more than `most` multiplications.
-  static std::unique_ptr<BlockElimination> make(int columns, std::vector<std::pair<int, int>> pairs,
-                                                double most);
+  /// Columns are eliminated in their order.
+  static std::unique_ptr<BlockElimination> make(int columns,
+                                                std::vector<std::pair<int, int>> pairs);
   const BlockPattern& pattern() const override { return pattern_; }
   double* values() override { return value_.data(); }
   bool factorise(double least) override;

@@ -8,7 +8,9 @@
 #include <numeric>
 
 #include <yoke/core/equations/linear/block_elimination.hpp>
+#include <yoke/core/equations/linear/elimination_order.hpp>
 #include <yoke/core/equations/linear/index.hpp>
+#include <yoke/core/equations/linear/pair.hpp>
 
 namespace yoke {
 
@@ -39,6 +41,16 @@ bool is_satisfied(const std::vector<double>& misfit, const std::vector<double>& 
   return missed <= misfit_accepted * largest;
 }
 
+/// What columns `g` of a body in two rows make of its `a`.
+inline Pair product(const double* g, const double* a) {
+  return pair_at(g) * a[0] + pair_at(g + 2) * a[1] + pair_at(g + 4) * a[2];
+}
+
+/// Both rows of a constraint follow each other.
+inline Pair of_rows(const int* row, const double* all) {
+  return row[1] >= 0 ? pair_at(all + row[0]) : Pair(all[row[0]], 0.0);
+}
+
 }  // namespace
 
 std::unique_ptr<RangeSpace> RangeSpace::by_blocks(const SaddleLayout& layout, double most) {
@@ -63,9 +75,10 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   if (klu) {
     made->factors_ = std::make_unique<BlockKlu>(columns, std::move(pairs));
   } else {
-    made->put_in_order(elimination_order(columns, pairs));
-    std::unique_ptr<BlockElimination> blocks = BlockElimination::make(columns, made->pairs(), most);
-    if (blocks == nullptr) return nullptr;
+    const std::vector<int> order = elimination_order(columns, std::move(pairs), most);
+    if (order.empty()) return nullptr;
+    made->put_in_order(order);
+    std::unique_ptr<BlockElimination> blocks = BlockElimination::make(columns, made->pairs());
     made->blocks_ = blocks.get();
     made->factors_ = std::move(blocks);
   }
@@ -162,9 +175,9 @@ void RangeSpace::find_products() {
       part.product = static_cast<int>(products_.size());
       const auto body = at(part.dof / 3);
       for (int i = first[body]; i < first[body + 1]; ++i) {
-        const int other = uses[at(i)], below = node[at(other)];
-        if (below <= k) continue;
-        const int place = pattern.place(below, k);
+        const int other = uses[at(i)], left = node[at(other)];
+        if (left >= k) continue;
+        const int place = pattern.place(k, left);
         products_.push_back({.part = other, .place = 4 * place, .first = !used[at(place)]});
         used[at(place)] = true;
       }
@@ -176,62 +189,55 @@ void RangeSpace::find_products() {
   parts_.push_back({.dof = 0, .source = {-1, -1}, .product = static_cast<int>(products_.size())});
 }
 
-void RangeSpace::pack(const double* G, std::span<const char> dropped) {
-  double* g = G_.data();
-  char* counts = counts_.data();
-  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k, counts += 2) {
+/// S, and the blocks in the order of its nodes.
+void RangeSpace::assemble(const double* G, std::span<const char> dropped) {
+  static constexpr double nothing[3] = {0.0, 0.0, 0.0};
+  double *S = factors_->values(), *g = G_.data();
+  for (const int place : fill_) std::fill_n(S + place, 4, 0.0);
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
     const Node& node = nodes_[k];
+    char* counts = counts_.data() + 2 * k;
     for (int i = 0; i < 2; ++i)
       counts[i] = node.row[i] >= 0 && dropped[at(node.row[i])] == 0 ? 1 : 0;
-    for (int p = node.part; p < nodes_[k + 1].part; ++p)
-      for (int i = 0; i < 2; ++i, g += 3) {
-        if (counts[i] == 0) {
-          g[0] = g[1] = g[2] = 0.0;
-          continue;
-        }
-        const double* source = G + parts_[at(p)].source[i];
-        g[0] = source[0];
-        g[1] = source[1];
-        g[2] = source[2];
-      }
-  }
-}
-
-void RangeSpace::assemble() {
-  double* S = factors_->values();
-  for (const int place : fill_) std::fill_n(S + place, 4, 0.0);
-  const double* g = G_.data();
-  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
-    double first = 0.0, mixed = 0.0, second = 0.0;
-    for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6) {
-      const double* w = mobility_.data() + parts_[at(p)].dof;
-      const double u[6] = {g[0] * w[0], g[1] * w[1], g[2] * w[2],
-                           g[3] * w[0], g[4] * w[1], g[5] * w[2]};
-      first += u[0] * g[0] + u[1] * g[1] + u[2] * g[2];
-      mixed += u[3] * g[0] + u[4] * g[1] + u[5] * g[2];
-      second += u[3] * g[3] + u[4] * g[4] + u[5] * g[5];
-      for (int i = parts_[at(p)].product; i < parts_[at(p) + 1].product; ++i) {
+    Pair squares(0.0, 0.0), mixed(0.0, 0.0);
+    for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6) {
+      const Part& part = parts_[at(p)];
+      const double *w = mobility_.data() + part.dof,
+                   *first = counts[0] != 0 ? G + part.source[0] : nothing,
+                   *second = counts[1] != 0 ? G + part.source[1] : nothing;
+      const Pair g0(first[0], second[0]), g1(first[1], second[1]), g2(first[2], second[2]);
+      put(g, g0);
+      put(g + 2, g1);
+      put(g + 4, g2);
+      const Pair u0 = g0 * w[0], u1 = g1 * w[1], u2 = g2 * w[2];
+      squares += u0 * g0 + u1 * g1 + u2 * g2;
+      mixed += u0 * swapped(g0) + u1 * swapped(g1) + u2 * swapped(g2);
+      for (int i = part.product; i < parts_[at(p) + 1].product; ++i) {
         const Product& product = products_[at(i)];
         const double* h = G_.data() + 6 * product.part;
-        const double add[4] = {
-            h[0] * u[0] + h[1] * u[1] + h[2] * u[2], h[0] * u[3] + h[1] * u[4] + h[2] * u[5],
-            h[3] * u[0] + h[4] * u[1] + h[5] * u[2], h[3] * u[3] + h[4] * u[4] + h[5] * u[5]};
+        const Pair h0 = pair_at(h), h1 = pair_at(h + 2), h2 = pair_at(h + 4);
+        Pair upper = u0[0] * h0 + u1[0] * h1 + u2[0] * h2;
+        Pair lower = u0[1] * h0 + u1[1] * h1 + u2[1] * h2;
         double* s = S + product.place;
-        for (int j = 0; j < 4; ++j) s[j] = product.first ? add[j] : s[j] + add[j];
+        if (!product.first) {
+          upper += pair_at(s);
+          lower += pair_at(s + 2);
+        }
+        put(s, upper);
+        put(s + 2, lower);
       }
     }
-    if (counts_[2 * k] == 0) first = 1.0;
-    if (counts_[2 * k + 1] == 0) second = 1.0;
-    double* s = S + nodes_[k].place;
-    s[0] = diagonal_[2 * k] = first;
-    s[1] = s[2] = mixed;
-    s[3] = diagonal_[2 * k + 1] = second;
+    if (counts[0] == 0) squares[0] = 1.0;
+    if (counts[1] == 0) squares[1] = 1.0;
+    put(diagonal_.data() + 2 * k, squares);
+    double* s = S + node.place;
+    put(s, {squares[0], mixed[1]});
+    put(s + 2, {mixed[1], squares[1]});
   }
 }
 
 bool RangeSpace::factorise(const double* G, std::span<const char> dropped) {
-  pack(G, dropped);
-  assemble();
+  assemble(G, dropped);
   return factors_->factorise(least_pivot);
 }
 
@@ -242,16 +248,13 @@ void RangeSpace::start(const double* gamma) {
   double* x = x_.data();
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k, counts += 2, x += 2) {
     const Node& node = nodes_[k];
-    double first = 0.0, second = 0.0;
-    for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6) {
-      const double* a = a_ + parts_[at(p)].dof;
-      first += g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
-      second += g[3] * a[0] + g[4] * a[1] + g[5] * a[2];
-    }
-    x[0] = counts[0] != 0 ? first - gamma[node.row[0]] : gamma[node.row[0]];
-    x[1] = counts[1] != 0     ? second - gamma[node.row[1]]
-           : node.row[1] >= 0 ? gamma[node.row[1]]
-                              : 0.0;
+    Pair sum(0.0, 0.0);
+    for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6)
+      sum += product(g, a_ + parts_[at(p)].dof);
+    const Pair right = of_rows(node.row, gamma);
+    put(x, sum - right);
+    if (counts[0] == 0) x[0] = right[0];
+    if (counts[1] == 0) x[1] = right[1];
   }
 }
 
@@ -259,29 +262,28 @@ void RangeSpace::start(const double* gamma) {
 double RangeSpace::find_misfit(const double* gamma) {
   double largest = 0.0;
   const double* g = G_.data();
-  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+  const char* counts = counts_.data();
+  double* x = x_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k, counts += 2, x += 2) {
     const Node& node = nodes_[k];
-    double sum[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
-    for (int p = node.part; p < nodes_[k + 1].part; ++p) {
+    Pair sum(0.0, 0.0), size(0.0, 0.0);
+    for (int p = node.part; p < nodes_[k + 1].part; ++p, g += 6) {
       const double* a = a_ + parts_[at(p)].dof;
-      for (int i = 0; i < 2; ++i, g += 3) {
-        const double term[3] = {g[0] * a[0], g[1] * a[1], g[2] * a[2]};
-        sum[i] += term[0] + term[1] + term[2];
-        size[i] += std::abs(term[0]) + std::abs(term[1]) + std::abs(term[2]);
-      }
+      const Pair x0 = pair_at(g) * a[0], x1 = pair_at(g + 2) * a[1], x2 = pair_at(g + 4) * a[2];
+      sum += x0 + x1 + x2;
+      size += x0.abs() + x1.abs() + x2.abs();
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::size_t x = 2 * k + i;
-      if (counts_[x] == 0) {
-        x_[x] = 0.0;
-        continue;
-      }
-      const double right = gamma[node.row[i]];
-      x_[x] = sum[i] - right;
-      const double scale =
-          size[i] + std::abs(right) + share_of_reaction * diagonal_[x] * std::abs(lambda_[x]);
-      if (!(std::abs(x_[x]) <= largest * scale)) largest = std::abs(x_[x]) / scale;
-    }
+    const Pair right = of_rows(node.row, gamma);
+    Pair misfit = sum - right;
+    for (int i = 0; i < 2; ++i)
+      if (counts[i] == 0) misfit[i] = 0.0;
+    put(x, misfit);
+    const Pair scale = size + right.abs() +
+                       share_of_reaction * pair_at(diagonal_.data() + 2 * k) *
+                           pair_at(lambda_.data() + 2 * k).abs();
+    for (int i = 0; i < 2; ++i)
+      if (counts[i] != 0 && !(std::abs(misfit[i]) <= largest * scale[i]))
+        largest = std::abs(misfit[i]) / scale[i];
   }
   return largest;
 }
@@ -300,9 +302,9 @@ void RangeSpace::correct() {
     for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6) {
       double* a = a_ + parts_[at(p)].dof;
       const double* w = mobility_.data() + parts_[at(p)].dof;
-      a[0] -= w[0] * (g[0] * u + g[3] * v);
-      a[1] -= w[1] * (g[1] * u + g[4] * v);
-      a[2] -= w[2] * (g[2] * u + g[5] * v);
+      a[0] -= w[0] * (g[0] * u + g[1] * v);
+      a[1] -= w[1] * (g[2] * u + g[3] * v);
+      a[2] -= w[2] * (g[4] * u + g[5] * v);
     }
   }
 }
@@ -339,6 +341,20 @@ void RangeSpace::solve(double* b) {
   finish(b);
 }
 
+void RangeSpace::solve_nearly(double* b) {
+  if (factors_->smallest_pivot() < one_refinement) return solve(b);
+  loaded_ = false;
+  a_ = b;
+  std::ranges::fill(lambda_, 0.0);
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    Pair right = of_rows(nodes_[k].row, b + dofs_);
+    for (int i = 0; i < 2; ++i)
+      if (counts_[2 * k + at(i)] == 0) right[i] = 0.0;
+    put(x_.data() + 2 * k, -right);
+  }
+  correct();
+}
+
 bool RangeSpace::make_room(std::span<const LoadEntry> entries) {
   if (blocks_ == nullptr) return false;
   std::vector<int> node_of_row;
@@ -359,7 +375,7 @@ bool RangeSpace::make_room(std::span<const LoadEntry> entries) {
     int p = nodes_[k].part;
     while (p < end && parts_[at(p)].dof != body) ++p;
     if (p == end) return false;
-    load_place_.push_back(6 * p + (nodes_[k].row[0] == e.row ? 0 : 3) + e.dof - body);
+    load_place_.push_back(6 * p + 2 * (e.dof - body) + (nodes_[k].row[0] == e.row ? 0 : 1));
   }
   H_.assign(G_.size(), 0.0);
   loaded_factors_ = std::make_unique<BlockLu>(*blocks_);
@@ -380,14 +396,14 @@ void RangeSpace::assemble_loaded() {
     std::fill_n(lower + place, 4, 0.0);
     std::fill_n(upper + place, 4, 0.0);
   }
-  const auto product = [](const double* g, const double* h, double* out) {
-    out[0] = g[0] * h[0] + g[1] * h[1] + g[2] * h[2];
-    out[1] = g[0] * h[3] + g[1] * h[4] + g[2] * h[5];
-    out[2] = g[3] * h[0] + g[4] * h[1] + g[5] * h[2];
-    out[3] = g[3] * h[3] + g[4] * h[4] + g[5] * h[5];
+  const auto multiply = [](const double* g, const double* h, double* out) {
+    out[0] = g[0] * h[0] + g[2] * h[2] + g[4] * h[4];
+    out[1] = g[0] * h[1] + g[2] * h[3] + g[4] * h[5];
+    out[2] = g[1] * h[0] + g[3] * h[2] + g[5] * h[4];
+    out[3] = g[1] * h[1] + g[3] * h[3] + g[5] * h[5];
   };
   const auto weigh = [](const double* g, const double* w, double* out) {
-    for (int i = 0; i < 6; ++i) out[i] = g[i] * w[i % 3];
+    for (int i = 0; i < 6; ++i) out[i] = g[i] * w[i / 2];
   };
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
     double* diagonal = lower + nodes_[k].place;
@@ -397,13 +413,13 @@ void RangeSpace::assemble_loaded() {
       double wg[6], wh[6], add[4];
       weigh(g, w, wg);
       weigh(H_.data() + 6 * p, w, wh);
-      product(g, wh, add);
+      multiply(g, wh, add);
       for (int j = 0; j < 4; ++j) diagonal[j] += add[j];
       for (int i = parts_[at(p)].product; i < parts_[at(p) + 1].product; ++i) {
         const Product& shared = products_[at(i)];
         double *below = lower + shared.place, *above = upper + shared.place, mirrored[4];
-        product(G_.data() + 6 * shared.part, wh, add);
-        product(wg, H_.data() + 6 * shared.part, mirrored);
+        multiply(wg, H_.data() + 6 * shared.part, add);
+        multiply(G_.data() + 6 * shared.part, wh, mirrored);
         for (int j = 0; j < 4; ++j) {
           below[j] = shared.first ? add[j] : below[j] + add[j];
           above[j] = shared.first ? mirrored[j] : above[j] + mirrored[j];

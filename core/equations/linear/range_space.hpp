@@ -41,6 +41,8 @@ class RangeSpace {
   /// conditioned, or a number is not finite. Allocates nothing by blocks.
   bool factorise(const double* G, std::span<const char> dropped);
   void solve(double* b);  ///< in place, b [dofs + rows]
+  /// Accelerations alone, for Q = 0, without looking at what is left of the equations where all pivots are large.
+  void solve_nearly(double* b);
   void reset() { factors_->reset(); }
 
   /// Makes room for a D with these entries, and finds their places. False where it takes other blocks than S has,
@@ -57,7 +59,7 @@ class RangeSpace {
     int source[2];  // of these rows in the array of blocks, -1: none
     int product;    // first one
   };
-  struct Product {  // with a part of later rows for the same body
+  struct Product {  // with a part of earlier rows for the same body
     int part;
     int place;   // of what both contribute to, in values of S
     bool first;  // nothing has been put there before
@@ -75,8 +77,7 @@ class RangeSpace {
   std::vector<int> parts_by_body(std::vector<int>& first) const;
   void put_in_order(const std::vector<int>& order);
   void find_products();
-  void pack(const double* G, std::span<const char> dropped);
-  void assemble();
+  void assemble(const double* G, std::span<const char> dropped);
   void assemble_loaded();
   void begin(double* b);
   void finish(double* b) const;
@@ -91,7 +92,7 @@ class RangeSpace {
   std::vector<Part> parts_;       // and one behind the last
   std::vector<Product> products_;
   std::vector<int> fill_;         // places where nothing is put
-  std::vector<double> G_;         // [6 for each part] two rows of three
+  std::vector<double> G_;         // [6 for each part] three columns of two rows
   std::vector<char> counts_;      // [2 for each node] rows that are equations
   std::vector<double> diagonal_;  // [2 for each node] of S
   std::vector<double> before_, lambda_, x_;

@@ -128,6 +128,13 @@ void SaddleSolver::solve(double* b) {
     lu_->solve(b);
 }
 
+void SaddleSolver::solve_nearly(double* b) {
+  if (by_range_)
+    range_->solve_nearly(b);
+  else
+    lu_->solve(b);
+}
+
 void SaddleSolver::reset() {
   if (range_ != nullptr) range_->reset();
   if (lu_) lu_->reset();

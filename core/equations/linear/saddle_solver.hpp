@@ -34,6 +34,9 @@ class SaddleSolver {
   bool factorise(const double* G, std::span<const char> dropped);
   /// In place, b [dofs + rows]. Call after a successful factorise(); the blocks may have changed since.
   void solve(double* b);
+  /// The same for Q = 0 and accelerations alone, up to about 1e-10 of the largest: a correction, after which is
+  /// seen what is left to correct.
+  void solve_nearly(double* b);
   /// The saddle matrix with these blocks; its pattern never changes.
   const SparseMatrix& matrix(const double* G, std::span<const char> dropped);
   /// Forgets pivots: equal inputs give equal bits from here.
