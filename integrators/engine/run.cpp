@@ -73,6 +73,7 @@ Run::Run(const Model& model, const Checkpoint& c, const SimulationOptions& optio
   dynamics_.system().set_scales(c.scales);
   dynamics_.system().bind(state_);
   dynamics_.leave_out(c.dropped_rows);
+  largest_independence_ = c.largest_independence;
   make_formulation();
   samples_ = std::make_unique<RunSamples>(dynamics_, result_, options_, t_start_);
   result_.summary = c.summary;
@@ -127,7 +128,8 @@ void Run::make_formulation() {
   if (free && entry.name == formulation_registry().front().name) entry.make = make_stiffness_switch;
   formulation_ = guard_singular_positions(
       entry, dynamics_, choose_tolerances(dynamics_.system(), state_, options),
-      [this](const SingularPosition& position) { record_singular_position(position); });
+      [this](const SingularPosition& position) { record_singular_position(position); },
+      largest_independence_);
 }
 
 bool Run::initialise() {

@@ -147,6 +147,7 @@ class Run {
   EventLocator locator_;
   ElementEvents elements_;
   Standstill standstill_;
+  double largest_independence_ = 0.0;  // of the constraints, seen so far
   ImpasseWatch impasse_;
   bool stopped_ = false;
   bool ended_ = false;

@@ -32,7 +32,8 @@ void Run::write_checkpoint() {
                       .ledger = samples_->ledger(),
                       .summary = result_.summary,
                       .window_start = standstill_.window().start,
-                      .window_events = standstill_.window().events},
+                      .window_events = standstill_.window().events,
+                      .largest_independence = largest_independence_},
                      result_);
   start_anew();
 }

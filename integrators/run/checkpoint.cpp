@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<char, 8> magic = {'Y', 'O', 'K', 'E', 'C', 'H', 'K', 'P'};
-constexpr std::uint32_t format_version = 6;
+constexpr std::uint32_t format_version = 7;
 constexpr std::size_t header_size = magic.size() + 4 + 8 + 4;
 
 // ---- what is stored: one list of fields serves writing and reading ----
@@ -133,6 +133,7 @@ void visit_checkpoint(C& c, Visit&& visit) {
   visit("summary", c.summary);
   visit("window_start", c.window_start);
   visit("window_events", c.window_events);
+  visit("largest_independence", c.largest_independence);
   visit("columns", c.columns);
   visit("rows", c.rows.count);
   visit("samples_checksum", c.rows.checksum);

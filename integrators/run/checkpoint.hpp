@@ -55,6 +55,7 @@ struct Checkpoint {
   Summary summary;  // counters of everything before this point
   double window_start = 0.0;
   long window_events = 0;
+  double largest_independence = 0.0;
   // How much of the other files belongs to it.
   std::size_t columns = 0;
   RowsOnDisk rows{}, rows_in_contacts{};

@@ -139,17 +139,22 @@ TEST_CASE("a benchmark that is cut or unknown says so") {
 }
 
 TEST_CASE("a run that finds its tolerance out of reach goes on with less, and says so") {
-  const Model m = n_four_bar({.loops = 40});
-  const Result run =
-      simulate(m, {.until = 1.0, .relative_tolerance = 1e-12, .formulation = "cvode-projection"});
-  REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
-  // Near the singular position; how often it is raised is a matter of rounding.
-  CHECK(run.summary.tolerance_kept > 1e-12);
-  CHECK(run.summary.tolerance_kept < 1.01e-10);
-  CHECK(std::ranges::any_of(run.summary.notes, [](const std::string& note) {
-    return note.find("the tolerance was out of reach; from there it was") != std::string::npos;
-  }));
-  const Result looser =
-      simulate(m, {.until = 1.0, .relative_tolerance = 1e-11, .formulation = "arkode-projection"});
-  CHECK((run.final.q - looser.final.q).cwiseAbs().maxCoeff() < 1e-7);
+  for (const int loops : {38, 40, 45}) {
+    CAPTURE(loops);
+    const Model m = n_four_bar({.loops = loops});
+    const Result run =
+        simulate(m, {.until = 1.0, .relative_tolerance = 1e-12, .formulation = "cvode-projection"});
+    REQUIRE_MESSAGE(run.summary.ok(), run.summary.reason);
+    // Near the singular position, which the run still knows to be one when it begins anew beside it; how often the
+    // tolerance is raised is a matter of rounding.
+    CHECK(run.summary.tolerance_kept > 1e-12);
+    CHECK(run.summary.tolerance_kept < 1.01e-10);
+    CHECK(run.summary.singular_positions.size() == 1);
+    CHECK(std::ranges::any_of(run.summary.notes, [](const std::string& note) {
+      return note.find("the tolerance was out of reach; from there it was") != std::string::npos;
+    }));
+    const Result looser = simulate(
+        m, {.until = 1.0, .relative_tolerance = 1e-11, .formulation = "arkode-projection"});
+    CHECK((run.final.q - looser.final.q).cwiseAbs().maxCoeff() < 1e-7);
+  }
 }

@@ -212,4 +212,12 @@ TEST_SUITE("linkages") {
   }
 }
 
+TEST_CASE(
+    "a linkage that only comes near a singular position keeps its formulation at long steps") {
+  // The least independence is a tenth of the largest. A crossing factorises more often than it evaluates.
+  const Summary run = run_of("quick_return", {}, 51, 1e-4).result.summary;
+  CHECK(run.steps < 100);
+  CHECK(run.refactorisations < run.evaluations + run.recording_evaluations);
+}
+
 }  // namespace

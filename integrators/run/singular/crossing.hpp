@@ -19,7 +19,7 @@ namespace yoke {
 class SingularCrossing final : public Formulation {
  public:
   SingularCrossing(const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
-                   std::function<void(const SingularPosition&)> record);
+                   std::function<void(const SingularPosition&)> record, double& largest);
 
   void start(const State& state) override;
   Step step(double t_stop) override;
@@ -59,6 +59,7 @@ class SingularCrossing final : public Formulation {
   void renew();
   Step cross(double t_stop);
   void watch();
+  bool heads_for_zero();
   bool choose_other_rows();
   void begin_crossing();
   bool try_step(double t_stop, double energy_before);
@@ -91,9 +92,10 @@ class SingularCrossing final : public Formulation {
   bool watches_;
   std::vector<bool> is_work_;
 
-  State here_;                      // where the last step ended, or a restart began
-  State next_, inside_;             // where the step ends that has just been made; scratch
-  double m_ = 1.0, largest_ = 0.0;  // independence there and the largest seen
+  State here_;           // where the last step ended, or a restart began
+  State next_, inside_;  // where the step ends that has just been made; scratch
+  double m_ = 1.0;       // independence there
+  double& largest_;      // seen in the run
   double t_m_ = 0.0, m_before_ = 1.0, dt_ = 1.0;
   bool has_before_ = false;
   bool passed_ = false;    // has a step been taken back that had passed it? inside_ is there

@@ -248,12 +248,15 @@ void SingularCrossing::look_beside(double t, std::size_t known, double until, do
       const double next = further_beside * part;
       const double after = measure_in_segment(place(next), 2 * sweeps);
       if (now < before && now <= after && before > was_singular * largest_) {
-        find_minimum(std::min(place(last), place(next)), std::max(place(last), place(next)));
+        const double least =
+            find_minimum(std::min(place(last), place(next)), std::max(place(last), place(next)));
+        // Those at the ends are noted where it falls to one and rises from it.
+        const bool inside = least != segment_.t && least != until;
         const auto is_it = [&](const SingularPosition& p) {
           return std::abs(p.t - least_.t) < 0.1 * first_beside * distance;
         };
-        if (std::none_of(positions_.begin() + static_cast<std::ptrdiff_t>(known), positions_.end(),
-                         is_it))
+        if (inside && std::none_of(positions_.begin() + static_cast<std::ptrdiff_t>(known),
+                                   positions_.end(), is_it))
           note_position();
       }
       last = std::exchange(part, next);

@@ -18,6 +18,7 @@ constexpr double in_sight = 0.3;            // of the largest independence: may 
 constexpr double troubled = 0.1;            // the same, if the formulation fails
 constexpr double singular_at_start = 1e-8;  // absolute, while nothing larger has been seen
 constexpr double look_ahead = 4.0;          // steps
+constexpr double missed = 0.05;             // of the largest independence, where it will be least
 constexpr double longest_part = 0.1;        // rad or length scales between looks into a step
 constexpr int most_looks = 100;
 constexpr double edge = 1e-2;          // of a part
@@ -27,7 +28,8 @@ constexpr double energy_bound = 1e-6;  // of the energies that take part
 
 SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dynamics,
                                    const Tolerances& tolerances,
-                                   std::function<void(const SingularPosition&)> record)
+                                   std::function<void(const SingularPosition&)> record,
+                                   double& largest)
     : entry_(entry),
       dynamics_(dynamics),
       tolerances_(tolerances),
@@ -38,6 +40,7 @@ SingularCrossing::SingularCrossing(const FormulationEntry& entry, Dynamics& dyna
       guard_(dynamics),
       watches_(has_closed_loops(dynamics.system())),
       is_work_(dynamics.system().quadratures_of_work()),
+      largest_(largest),
       segment_(gauss_.make_segment()),
       trial_(check_.make_segment()),
       y_(static_cast<std::size_t>(gauss_.size())) {
@@ -237,8 +240,25 @@ void SingularCrossing::watch() {
   if (m > 5.0 * near * largest_) hold_off_ = 2.0;
   if (!(m < m_before_) || m > hold_off_ || !has_before_) return;
   const double s = std::sqrt(m), rate = (s - std::sqrt(m_before_)) / dt_;
-  entering_ = m < near * largest_ || (m < in_sight * largest_ &&
-                                      s < -rate * look_ahead * std::max(dt_, inner_->last_step()));
+  entering_ = m < near * largest_ ||
+              (m < in_sight * largest_ &&
+               s < -rate * look_ahead * std::max(dt_, inner_->last_step()) && heads_for_zero());
+}
+
+// The independence changes like the square of a distance: a parabola through the last step tells a miss from a
+// hit.
+bool SingularCrossing::heads_for_zero() {
+  const double t = here_.t, half = 0.5 * (t - next_.t);  // next_ is where the step began
+  if (!(half > 0.0)) return true;
+  const double now = dynamics_.independence(t, here_.q.data(), sweeps);
+  const double middle = measure_inside(t - half);
+  const double before = dynamics_.independence(next_.t, next_.q.data(), sweeps);
+  const double curvature = before - 2.0 * middle + now;  // of what half a step changes
+  const double slope = 1.5 * now - 2.0 * middle + 0.5 * before;
+  // Where the parabola hardly bends it is not known where it goes.
+  const double to_least = -slope / curvature;  // half steps
+  return !(curvature > 0.0 && to_least > 0.0 && to_least < 2.0 * look_ahead &&
+           now + 0.5 * slope * to_least > missed * largest_);
 }
 
 void SingularCrossing::check_redundant(double t, const double* q) {
@@ -410,10 +430,11 @@ StepCounters SingularCrossing::counters() const {
 
 std::unique_ptr<Formulation> guard_singular_positions(
     const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
-    std::function<void(const SingularPosition&)> record) {
+    std::function<void(const SingularPosition&)> record, double& largest) {
   if (!has_closed_loops(dynamics.system()) && dynamics.system().left_out_rows().empty())
     return entry.make(dynamics, tolerances);
-  return std::make_unique<SingularCrossing>(entry, dynamics, tolerances, std::move(record));
+  return std::make_unique<SingularCrossing>(entry, dynamics, tolerances, std::move(record),
+                                            largest);
 }
 
 }  // namespace yoke

@@ -11,8 +11,8 @@
 //            Steps that move the mechanism far (`longest_part`) are looked into on the dense
 //            output; one that has passed a singular position is taken back.
 //   leave    the formulation when m is a small part of the largest seen (`near`), or heads for zero
-//            within the next steps (`look_ahead`), or the formulation fails with m small
-//            (`troubled`).
+//            within the next steps (`look_ahead`) and not past it (`missed`), or the formulation fails
+//            with m small (`troubled`).
 //   cross    with Gauss' collocation, 6 stages, order 12. Its stages lie beside the ends of a step,
 //            and each is projected on positions and velocities before accelerations are asked for,
 //            so nothing is evaluated off the constraints. A stage or end too close to the singular
@@ -38,9 +38,10 @@
 namespace yoke {
 
 /// A formulation guarded as described above, or the bare one if there is nothing to guard.
-/// `record` is called for every singular position that was crossed.
+/// `record` is called for every singular position that was crossed. `largest`: the independence seen so far in the run,
+/// 0 before it begins; kept up to date, as it tells what is small.
 std::unique_ptr<Formulation> guard_singular_positions(
     const FormulationEntry& entry, Dynamics& dynamics, const Tolerances& tolerances,
-    std::function<void(const SingularPosition&)> record);
+    std::function<void(const SingularPosition&)> record, double& largest);
 
 }  // namespace yoke

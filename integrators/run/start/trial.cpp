@@ -22,13 +22,14 @@ bool gets_on(const FormulationEntry& entry, Dynamics& dynamics, const State& the
   const double way =
       std::max(enough_steps * last_step, short_way * dynamics.system().scales().time);
   const double enough = std::min(options.until, there.t + way);
+  double largest_independence = 0.0;
   try {
     State from = there;
     if (!dynamics.project(from)) return false;
     dynamics.reset();
-    const auto trial = guard_singular_positions(entry, dynamics,
-                                                choose_tolerances(dynamics.system(), from, options),
-                                                [](const SingularPosition&) {});
+    const auto trial = guard_singular_positions(
+        entry, dynamics, choose_tolerances(dynamics.system(), from, options),
+        [](const SingularPosition&) {}, largest_independence);
     trial->start(from);
     for (int i = 0; i < most_trial_steps; ++i) {
       const Step step = trial->step(options.until);
