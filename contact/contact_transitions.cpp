@@ -140,7 +140,10 @@ void ContactElement::handle_onset(EventContext& context) const {
   if (!lifted(context.input, memory)) {
     const double threshold = remembered ? memory.permanent_set : 0.0;
     const bool enters = now.rate > 0.0 && leaves_band(context.input, now);
-    if (!enters && now.penetration <= threshold + 0.5 * touch(context.input)) {
+    // What it was put off to has been reached, also if projecting the position has taken it back a little: put off
+    // to the same again, it would never be met.
+    const double reached = std::max(now.penetration, memory.release_penetration);
+    if (!enters && reached <= threshold + 0.5 * touch(context.input)) {
       memory.release_penetration = std::max(now.penetration, threshold) + touch(context.input);
       return;
     }

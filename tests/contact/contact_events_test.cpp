@@ -294,6 +294,22 @@ TEST_CASE(
   CHECK(std::abs(run.ledger_error()) < 1e-8);
 }
 
+TEST_CASE("an onset that creeps in is put off once, wherever beside its place it was located") {
+  constexpr double creeping = 1e-6;  // [m/s] may turn within the band of rounding
+  for (const double beside : {-1.5, -0.6, 0.0, 0.4}) {
+    CAPTURE(beside);
+    Scene scene = wall_scene({hertzian}, {hertzian});
+    put(scene, 0.0, creeping);
+    scene.handle(Event::onset);
+    CHECK(scene.memory.phase == ContactPhase::apart);
+    CHECK(scene.memory.release_penetration == Approx(touch));
+    put(scene, (1.0 + beside) * touch, creeping);
+    scene.handle(Event::onset);
+    CHECK(scene.memory.phase == ContactPhase::compressing);
+    CHECK(kinds(scene) == "onset");
+  }
+}
+
 TEST_CASE("a pull that goes on ends a lifted contact at zero penetration, with nothing stored") {
   Scene scene = wall_scene({linear, HuntCrossley{16.0}}, {linear});
   Run run(scene, 3e-5, 0.0, [](double) { return -2500.0; });

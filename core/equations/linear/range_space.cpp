@@ -17,7 +17,8 @@ namespace yoke {
 namespace {
 
 // With a smallest pivot p a solution loses eps/p of its digits, and so does each refinement of what the last
-// one left: one is enough above the second, two above the first.
+// one left: one is enough above the second, two above the first. Below it a few small pivots after each other may
+// lose more than the smallest says: what is left after the last refinement tells.
 constexpr double least_pivot = 1e-9, one_refinement = 1e-5;
 // What is left of an equation, in parts of its terms, up to which nothing is refined. What a reaction itself
 // accelerates counts little beside: that is the rounding of an acceleration that is zero.
@@ -85,6 +86,7 @@ std::unique_ptr<RangeSpace> RangeSpace::lay_out(const SaddleLayout& layout, doub
   made->find_products();
   made->G_.assign(6 * made->parts_.size(), 0.0);
   made->before_.assign(at(made->dofs_), 0.0);
+  made->given_.assign(at(made->dofs_ + layout.rows), 0.0);
   for (std::vector<double>* v : {&made->lambda_, &made->x_, &made->diagonal_})
     v->assign(2 * at(columns), 0.0);
   made->counts_.assign(2 * at(columns), 0);
@@ -332,17 +334,21 @@ void RangeSpace::finish(double* b) const {
       if (const int row = nodes_[k].row[i]; row >= 0) b[dofs_ + row] = lambda_[2 * k + at(i)];
 }
 
-void RangeSpace::solve(double* b) {
+bool RangeSpace::solve(double* b) {
   const double* gamma = b + dofs_;
   loaded_ = false;
+  const bool doubtful = factors_->smallest_pivot() < one_refinement;
+  if (doubtful) std::copy_n(b, given_.size(), given_.begin());
   begin(b);
-  const int refinements = factors_->smallest_pivot() < one_refinement ? 2 : 1;
+  const int refinements = doubtful ? 2 : 1;
   for (int i = 0; i < refinements && find_misfit(gamma) > misfit_allowed; ++i) refine();
+  const bool good = !doubtful || find_misfit(gamma) <= misfit_allowed;
   finish(b);
+  return good;
 }
 
-void RangeSpace::solve_nearly(double* b) {
-  if (factors_->smallest_pivot() < one_refinement) return solve(b);
+bool RangeSpace::solve_nearly(double* b) {
+  if (factors_->smallest_pivot() < one_refinement) return false;
   loaded_ = false;
   a_ = b;
   std::ranges::fill(lambda_, 0.0);
@@ -353,6 +359,22 @@ void RangeSpace::solve_nearly(double* b) {
     put(x_.data() + 2 * k, -right);
   }
   correct();
+  return true;
+}
+
+void RangeSpace::restore(double* b) const { std::ranges::copy(given_, b); }
+
+void RangeSpace::unpack(double* G, char* dropped) const {
+  const double* g = G_.data();
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    for (std::size_t i = 0; i < 2; ++i)
+      if (const int row = nodes_[k].row[i]; row >= 0)
+        dropped[row] = counts_[2 * k + i] == 0 ? 1 : 0;
+    for (int p = nodes_[k].part; p < nodes_[k + 1].part; ++p, g += 6)
+      for (int i = 0; i < 2; ++i)
+        if (const int source = parts_[at(p)].source[i]; source >= 0)
+          for (int column = 0; column < 3; ++column) G[source + column] = g[2 * column + i];
+  }
 }
 
 bool RangeSpace::make_room(std::span<const LoadEntry> entries) {

@@ -40,9 +40,14 @@ class RangeSpace {
   /// With the blocks `G`, without the rows marked in `dropped` [rows]. False where S is not well enough
   /// conditioned, or a number is not finite. Allocates nothing by blocks.
   bool factorise(const double* G, std::span<const char> dropped);
-  void solve(double* b);  ///< in place, b [dofs + rows]
-  /// Accelerations alone, for Q = 0, without looking at what is left of the equations where all pivots are large.
-  void solve_nearly(double* b);
+  /// In place, b [dofs + rows]. False: equations are not satisfied to rounding.
+  bool solve(double* b);
+  /// Accelerations alone, for Q = 0, up to about 1e-10 of the largest. False, and nothing is done: some pivots are
+  /// small.
+  bool solve_nearly(double* b);
+  void restore(double* b) const;  ///< what solve() was given, after it was false
+  /// What factorise() was given; of `G` only blocks that do not belong to the ground, zeros in rows that are dropped.
+  void unpack(double* G, char* dropped) const;
   void reset() { factors_->reset(); }
 
   /// Makes room for a D with these entries, and finds their places. False where it takes other blocks than S has,
@@ -95,7 +100,7 @@ class RangeSpace {
   std::vector<double> G_;         // [6 for each part] three columns of two rows
   std::vector<char> counts_;      // [2 for each node] rows that are equations
   std::vector<double> diagonal_;  // [2 for each node] of S
-  std::vector<double> before_, lambda_, x_;
+  std::vector<double> given_, before_, lambda_, x_;
   double* a_ = nullptr;  // of the solution under way, in place of Q
   std::unique_ptr<SymmetricFactors> factors_;
   const BlockElimination* blocks_ = nullptr;  // the same, where they are blocks

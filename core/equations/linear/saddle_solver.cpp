@@ -113,6 +113,10 @@ bool SaddleSolver::factorise(const double* G, std::span<const char> dropped) {
     ++counters_.refactorisations;
     return true;
   }
+  return factorise_by_klu(G, dropped);
+}
+
+bool SaddleSolver::factorise_by_klu(const double* G, std::span<const char> dropped) {
   matrix(G, dropped);
   const FactorCounters before = klu().counters();
   const bool done = lu_->factorise(matrix_);
@@ -122,17 +126,29 @@ bool SaddleSolver::factorise(const double* G, std::span<const char> dropped) {
 }
 
 void SaddleSolver::solve(double* b) {
-  if (by_range_)
-    range_->solve(b);
-  else
-    lu_->solve(b);
+  if (by_range_) {
+    if (range_->solve(b)) return;
+    if (!leave_range()) return;  // what elimination found is the best there is
+    range_->restore(b);
+  }
+  lu_->solve(b);
+}
+
+/// Factorises by KLU what the range space has factors of. False: singular.
+bool SaddleSolver::leave_range() {
+  std::size_t blocks = 0;
+  for (const JacobianBlock& c : layout_.blocks)
+    blocks = std::max(blocks, at(c.block + c.rows * c.columns));
+  G_.assign(blocks, 0.0);
+  dropped_.assign(at(layout_.rows), 0);
+  range_->unpack(G_.data(), dropped_.data());
+  by_range_ = !factorise_by_klu(G_.data(), dropped_);
+  return !by_range_;
 }
 
 void SaddleSolver::solve_nearly(double* b) {
-  if (by_range_)
-    range_->solve_nearly(b);
-  else
-    lu_->solve(b);
+  if (by_range_ && range_->solve_nearly(b)) return;
+  solve(b);
 }
 
 void SaddleSolver::reset() {

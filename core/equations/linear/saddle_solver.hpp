@@ -59,6 +59,8 @@ class SaddleSolver {
   };
   void build_matrix();
   void choose(LinearSolver choice);
+  bool factorise_by_klu(const double* G, std::span<const char> dropped);
+  bool leave_range();
   SparseLU& klu();
 
   SaddleLayout layout_;
@@ -69,6 +71,8 @@ class SaddleSolver {
   std::vector<Stamp> stamps_;
   std::vector<int> switch_diagonal_;  // slots of the rows that count at times
   std::optional<SparseLU> lu_;
+  std::vector<double> G_;      // blocks that the range space gave back
+  std::vector<char> dropped_;  // the same
   FactorCounters counters_;
 };
 
