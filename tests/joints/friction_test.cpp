@@ -354,6 +354,38 @@ TEST_CASE(
   }
 }
 
+// A carriage on its guide and a hinged arm, pinned together: nothing can move, whatever loads it.
+TEST_CASE("joint friction: a pin of a loaded structure neither slides nor bears anything") {
+  Model m;
+  const BodyId carriage = m.add(Body{.name = "carriage",
+                                     .mass = 0.05086011534540704,
+                                     .inertia = 9.706272320052635e-06,
+                                     .pose = {{0.014, -0.042}, 0.0}});
+  const BodyId arm = m.add(Body{
+      .name = "arm", .mass = 6.0, .inertia = 8.635531974927493e-4, .pose = {{-0.022, 0.03}, 0.0}});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = carriage, .along = {-0.86, 0.51}});
+  m.add(Revolute{.name = "hinge", .a = ground, .b = arm, .at = {-0.0022, 0.0076}});
+  m.add(Revolute{
+      .name = "pin",
+      .a = carriage,
+      .b = arm,
+      .at = {0.011, -0.033},
+      .friction = PinFriction{.law = Coulomb{.mu = 0.24, .mu_static = 0.28}, .radius = 0.0018}});
+  m.add(AppliedTorque{.name = "torque", .body = carriage, .torque = [](double t) {
+                        return 3.645377392373994e-05 * std::cos(2.3 * t + 2.8);
+                      }});
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    const Result r = simulate(m, {.until = 0.1,
+                                  .relative_tolerance = tolerance_of(f, 1e-9),
+                                  .formulation = std::string(f.name)});
+    REQUIRE_MESSAGE(r.summary.ok(), r.summary.reason);
+    CHECK((r.final.q - m.start_state().q).norm() < 1e-15);
+    CHECK(times_of(r, "slip", "pin.friction").empty());
+    CHECK(r["pin.friction.friction_force_N"].norm() == 0.0);
+  }
+}
+
 TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in every formulation") {
   for (const FrictionNote& info : friction_catalog()) {
     INFO(info.name);

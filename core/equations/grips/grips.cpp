@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/equations/assemblies.hpp>
 #include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
@@ -20,6 +21,7 @@ constexpr double immobile = 1e-10;     // of the mobility of the bodies without 
 constexpr double hardly_mobile = 1e-6;
 constexpr double no_acceleration = 1e-9;      // of its terms
 constexpr double next_to_no_friction = 1e-6;  // of the holding force
+constexpr double cancelled = 1e-12;           // of the reactions that hold a structure at rest
 
 /// The row of one hold at the motion set, whether it holds or not.
 struct Row {
@@ -65,6 +67,7 @@ class Settlement {
       : dynamics_(dynamics), system_(dynamics.system()), state_(state) {
     set_motion();
     for (const ConstraintSlot& hold : system_.holds()) consider(hold, before);
+    if (!candidates_.empty()) assembly_ = assemblies_of(system_);
     if (std::ranges::any_of(candidates_, &Candidate::broke)) break_with_it(before);
   }
 
@@ -151,7 +154,37 @@ class Settlement {
       if (!dynamics_.calc_accelerations(state_) && !let_slide(c)) return false;
     }
     dynamics_.share_hold_forces(state_.lambda.data());
+    measure_reactions();
     return true;
+  }
+
+  /// Where nothing can move, accelerations are what rounding leaves of reactions that cancel the loads: the
+  /// terms of s a are as small then as their sum and say nothing of it.
+  void measure_reactions() {
+    jolt_.assign(assembly_.size(), 0.0);
+    for (const ConstraintSlot& c : system_.constraints())
+      for (int i = 0; i < c.rows; ++i)
+        for (int j = 0; j < c.columns; ++j)
+          if (const int dof = system_.dof()[at(c.dofs + j)]; dof >= 0)
+            note_reaction(dof, system_.G()[c.block + i * c.columns + j] * state_.lambda[c.row + i]);
+  }
+  void note_reaction(int dof, double pull) {
+    const double mass = system_.mass()[at(dof)];
+    if (mass == 0.0) return;  // it moves as others do
+    double& jolt = jolt_[at(assembly_[at(dof / 3)])];
+    jolt = std::max(jolt, std::abs(pull) / mass * unit_of(dof));
+  }
+  /// [m] An angle times this is a length.
+  double unit_of(int dof) const { return dof % 3 == 2 ? system_.scales().length : 1.0; }
+
+  /// [m/s^2] What an acceleration along the surface may be by rounding.
+  double noise(const Candidate& c, const Sum& along) const {
+    double noise = no_acceleration * along.size;
+    for (int j = 0; j < c.f->columns; ++j)
+      if (const int dof = system_.dof()[at(c.f->dofs + j)]; dof >= 0)
+        noise +=
+            cancelled * std::abs(c.row.s[at(j)]) * jolt_[at(assembly_[at(dof / 3)])] / unit_of(dof);
+    return noise;
   }
 
   /// No reactions let it rest: it slides the way it would be accelerated without friction.
@@ -195,14 +228,14 @@ class Settlement {
       return {std::abs(T) / std::max(limit, std::numeric_limits<double>::min()), way};
     if (c.memory->grip != Grip::guided) return {0.0, 0.0};
     const Sum along = acceleration(c);
-    const bool rests = std::abs(along.value) <= no_acceleration * along.size;
+    const bool rests = std::abs(along.value) <= noise(c, along);
     return {rests ? 0.0 : std::numeric_limits<double>::infinity(), along.value < 0.0 ? -1.0 : 1.0};
   }
 
   Verdict of_sliding(const Candidate& c) const {
     const Sum along = acceleration(c);
     const double limit = c.f->element->holding_force(system_.force_input(*c.f));
-    const double nothing = no_acceleration * along.size + next_to_no_friction * c.alone * limit;
+    const double nothing = noise(c, along) + next_to_no_friction * c.alone * limit;
     const double against = -c.direction * along.value;
     return {against > nothing ? against / along.size : 0.0, -c.direction};
   }
@@ -231,6 +264,8 @@ class Settlement {
   System& system_;
   State& state_;
   std::vector<Candidate> candidates_;
+  std::vector<int> assembly_;  // [bodies]
+  std::vector<double> jolt_;   // [assemblies, m/s^2] the most that one reaction alone would make
 };
 
 }  // namespace
