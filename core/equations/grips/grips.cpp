@@ -177,9 +177,11 @@ class Settlement {
   /// [m] An angle times this is a length.
   double unit_of(int dof) const { return dof % 3 == 2 ? system_.scales().length : 1.0; }
 
-  /// [m/s^2] What an acceleration along the surface may be by rounding.
+  /// [m/s^2] What an acceleration along the surface may be by rounding; no less than what makes the slowest
+  /// sliding within the time scale.
   double noise(const Candidate& c, const Sum& along) const {
-    double noise = no_acceleration * along.size;
+    const Scales scales = system_.scales();
+    double noise = slowest_sliding(scales, 0.0) / scales.time + no_acceleration * along.size;
     for (int j = 0; j < c.f->columns; ++j)
       if (const int dof = system_.dof()[at(c.f->dofs + j)]; dof >= 0)
         noise +=
