@@ -16,9 +16,10 @@ namespace {
 constexpr double at_limit = 1e-12;     // of the holding force: no more is kept for rounding
 constexpr double same_instant = 1e-9;  // of the holding force
 constexpr double immobile = 1e-10;     // of the mobility of the bodies without constraints
-// The same with other friction at rest. Two feet of one body are not quite at one height where they
-// penetrate differently: their rows tell that difference from zero, their friction does not.
+// With other friction at rest, of the mobility without. Two feet of one body are not quite at one height
+// where they penetrate differently: their rows tell that difference from zero, their friction does not.
 constexpr double hardly_mobile = 1e-6;
+constexpr double mobile_by_rounding = 1e-13;  // of the mobility of the bodies without constraints
 constexpr double no_acceleration = 1e-9;      // of its terms
 constexpr double next_to_no_friction = 1e-6;  // of the holding force
 constexpr double cancelled = 1e-12;           // of the reactions that hold a structure at rest
@@ -91,6 +92,7 @@ class Settlement {
     bool broke = false;  // must not hold again at this instant
     bool guided = false;
     double alone = 0.0;      // [1/kg] mobility of the bodies without constraints
+    double free = 0.0;       // [1/kg] mobility where nothing holds
     double direction = 0.0;  // +1, -1 of one that slides
   };
 
@@ -143,19 +145,23 @@ class Settlement {
       c.memory->grip = c.rests ? Grip::carried : c.direction > 0.0 ? Grip::forward : Grip::backward;
     if (!dynamics_.calc_accelerations(state_)) return false;
     for (Candidate& c : candidates_) {  // nothing is held yet
-      const double mobility = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
-      c.guided = !(mobility > immobile * c.alone);
+      c.free = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
+      c.guided = !(c.free > immobile * c.alone);
       if (c.rests && c.guided) c.memory->grip = Grip::guided;
     }
     for (Candidate& c : candidates_) {
-      if (!c.rests || c.guided) continue;
-      if (!(dynamics_.mobility(*c.f, c.row.s.data(), c.alone) > hardly_mobile * c.alone)) continue;
+      if (!c.rests || c.guided || hangs_on_others(c)) continue;
       c.memory->grip = Grip::held;
       if (!dynamics_.calc_accelerations(state_) && !let_slide(c)) return false;
     }
     dynamics_.share_hold_forces(state_.lambda.data());
     measure_reactions();
     return true;
+  }
+
+  bool hangs_on_others(Candidate& c) {
+    const double mobility = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
+    return !(mobility > std::max(hardly_mobile * c.free, mobile_by_rounding * c.alone));
   }
 
   /// Where nothing can move, accelerations are what rounding leaves of reactions that cancel the loads: the
