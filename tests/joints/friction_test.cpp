@@ -326,6 +326,24 @@ TEST_CASE("joint friction: a slider-crank breaks away at the torque of the frict
   }
 }
 
+// Where the crank is square to the guide the rod hardly turns, so the slider's pin hardly slides at first.
+TEST_CASE("joint friction: a pin slides that hardly turns with the mechanism at first") {
+  const double mu = 0.2;
+  for (const double beside : {1e-3, -1e-3}) {
+    SliderCrank m{.angle = 0.5 * pi + beside, .r_ground = 1e-6, .r_crank = 1e-6, .guide = false};
+    m.torque = [](double) { return 5.0; };
+    for (const char* formulation : {"arkode-projection", "ida-ggl"}) {
+      INFO(std::string(formulation), beside);
+      const Result r = simulate(m.model(), {.until = 0.1, .formulation = formulation});
+      REQUIRE(r.summary.ok());
+      const Eigen::VectorXd friction = r["slider_pin.friction.friction_force_N"].cwiseAbs();
+      const Eigen::VectorXd load = r["slider_pin.friction.load_N"];
+      CHECK(load.minCoeff() > 1.0);
+      CHECK((friction - mu * load).cwiseAbs().maxCoeff() < 1e-12 * load.maxCoeff());
+    }
+  }
+}
+
 TEST_CASE(
     "joint friction: a slider-crank runs out alike in all formulations, turned and mirrored") {
   const SliderCrank start{.speed = 12.0, .preload = 10.0};
