@@ -59,12 +59,10 @@ MatrixLayout GeneralisedAlpha::layout(const System& system) {
                          {Block::Q_v, q, q, minus_velocity},
                          {Block::Q_z, q, z, minus},
                          {Block::G_T, q, lambda, plus},
-                         {Block::Q_lambda, q, lambda, minus},
                          {Block::z_q, z, q, minus},
                          {Block::z_v, z, q, minus_velocity},
                          {Block::states, z, z, state_factor},
                          {Block::z_z, z, z, minus},
-                         {Block::z_lambda, z, lambda, minus},
                          {Block::G, lambda, q, plus},
                          {Block::H_hold, lambda, q, rate_factor},
                          {Block::dropped, lambda, lambda, plus},
@@ -112,7 +110,7 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
                     &v_old_, &a_old_, &v_, &a_, &rate_, &dense_u_, &dense_v_})
     x->assign(at(n_), 0.0);
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
-  for (Vector* x : {&lambda_, &lambda_rate_, &rates_}) x->assign(at(rows_), 0.0);
+  for (Vector* x : {&lambda_, &lambda_rate_, &load_, &rates_}) x->assign(at(rows_), 0.0);
   for (Vector* x : {&second_, &second_old_, &dense_energy_}) x->assign(at(quadratures_), 0.0);
   for (Vector* x : {&g_from_, &g_to_, &g_low_, &g_high_, &g_}) x->assign(at(guard_.count()), 0.0);
   x_.assign(at(matrix_.size()), 0.0);

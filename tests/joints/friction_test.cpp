@@ -425,6 +425,41 @@ TEST_CASE(
   }
 }
 
+// A mass of 510 t at the end of two links of some kg, which whirl at their dead centre with reactions of 1e9 N.
+TEST_CASE("joint friction: generalised-alpha follows it through the dead centre of light links") {
+  Model m;
+  const BodyId first =
+      m.add(Body{.name = "first", .mass = 8.0, .inertia = 0.29, .pose = {{-0.21, 0.39}, 0.0}});
+  const BodyId second =
+      m.add(Body{.name = "second", .mass = 9.9, .inertia = 0.26, .pose = {{-0.018, 0.55}, 0.0}});
+  const BodyId heavy = m.add(Body{.name = "heavy",
+                                  .mass = 5.1e5,
+                                  .inertia = 9700.0,
+                                  .pose = {{0.062, 0.83}, 0.0},
+                                  .twist = {{0.0, 0.0}, -2.4}});
+  m.add(Revolute{.name = "foot", .a = ground, .b = first, .at = {-0.096, 0.26}});
+  m.add(Revolute{.name = "knee", .a = first, .b = second, .at = {-0.017, 0.42}});
+  m.add(Revolute{
+      .name = "pin",
+      .a = second,
+      .b = heavy,
+      .at = {-0.083, 0.75},
+      .friction = PinFriction{.law = Coulomb{.mu = 0.31, .mu_static = 0.37}, .radius = 0.02}});
+  SimulationOptions options{.until = 0.08, .relative_tolerance = 1e-10, .samples = 2};
+  const Result good = simulate(m, options);
+  options.formulation = "generalised-alpha";
+  for (const double tolerance : {1e-6, 1e-7}) {
+    options.relative_tolerance = tolerance;
+    const Result r = simulate(m, options);
+    REQUIRE_MESSAGE(r.summary.ok(), r.summary.reason);
+    for (const char* kind : {"stick", "slip"}) {
+      const std::vector<double> times = times_of(r, kind, "pin.friction");
+      REQUIRE(times.size() == 1);
+      CHECK(std::abs(times[0] - times_of(good, kind, "pin.friction").at(0)) < 0.02 * tolerance);
+    }
+  }
+}
+
 TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in every formulation") {
   for (const FrictionNote& info : friction_catalog()) {
     INFO(info.name);
