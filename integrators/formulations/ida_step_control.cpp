@@ -20,7 +20,7 @@ constexpr double no_growth = 1e6;     // more than IDA ever proposes
 constexpr double grown_again = 4.0;   // since the last shortening
 constexpr double grown_since = 1.5;   // the same, after this many steps:
 constexpr long steps_between = 20;
-constexpr int often_refused = 3;       // growth, in as many steps
+constexpr int often_refused = 8;       // growth, in as many steps
 constexpr int steps_to_be_judged = 2;  // of one length, more than the order
 
 }  // namespace
