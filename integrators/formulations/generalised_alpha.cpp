@@ -2,30 +2,16 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <yoke/core/equations/linear/index.hpp>
-#include <yoke/core/error.hpp>
 
 namespace yoke {
 
 namespace {
-
-/// At index 3 multipliers are known to the rounding of positions over the square of the step, and what is
-/// as fast as bristles needs steps at which that is nothing.
-void refuse_bristles(const System& system) {
-  for (const std::size_t i : system.loaded())
-    if (const ForceSlot& f = system.forces()[i]; f.states > 0)
-      throw ModelError(fmt::format(
-          "generalised-alpha: '{}' has states of its own that follow the reaction of a joint; at the short "
-          "steps they need, multipliers of index 3 are rounding. Choose another formulation",
-          f.element->name()));
-}
 
 constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
@@ -104,7 +90,6 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
       mask_(system_),
       guard_(dynamics),
       floor_(dynamics, tolerances_, {.own = 8.0, .followed = 4.0 * noise}) {
-  refuse_bristles(system_);
   for (Node* node : {&begin_, &end_, &new_}) allocate(*node);
   for (Vector* x : {&q_start_, &weight_q_, &weight_v_, &q_, &rounding_, &b_, &jerk_, &jerk_normal_,
                     &v_old_, &a_old_, &v_, &a_, &rate_, &dense_u_, &dense_v_})

@@ -475,11 +475,9 @@ TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in ev
       INFO(f.name);
       SimulationOptions o = options;
       o.relative_tolerance = tolerance_of(f, 1e-9);
+      // Order 2 takes many steps where bristles are as fast as here.
+      if (f.name == "generalised-alpha" && m.law.has_state()) o.relative_tolerance = 1e-5;
       o.formulation = std::string(f.name);
-      if (m.law.has_state() && f.name == "generalised-alpha") {
-        CHECK(contains(message_of([&] { (void)simulate(m.model(), o); }), "Choose another"));
-        continue;
-      }
       const Result r = simulate(m.model(), o);
       REQUIRE(r.summary.ok());
       CHECK(r.final.q[2] == Approx(reference.final.q[2]).epsilon(1e2 * o.relative_tolerance));
