@@ -2,30 +2,16 @@
 // Copyright 2026 the Yoke authors
 #include <yoke/integrators/formulations/generalised_alpha.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <yoke/core/equations/linear/index.hpp>
-#include <yoke/core/error.hpp>
 
 namespace yoke {
 
 namespace {
-
-/// At index 3 multipliers are known to the rounding of positions over the square of the step, and what is
-/// as fast as bristles needs steps at which that is nothing.
-void refuse_bristles(const System& system) {
-  for (const std::size_t i : system.loaded())
-    if (const ForceSlot& f = system.forces()[i]; f.states > 0)
-      throw ModelError(fmt::format(
-          "generalised-alpha: '{}' has states of its own that follow the reaction of a joint; at the short "
-          "steps they need, multipliers of index 3 are rounding. Choose another formulation",
-          f.element->name()));
-}
 
 constexpr double safety = 0.9, least_factor = 0.2, largest_factor = 2.0;
 constexpr double deadband = 1.1;  // a step is not made longer by less
@@ -59,12 +45,10 @@ MatrixLayout GeneralisedAlpha::layout(const System& system) {
                          {Block::Q_v, q, q, minus_velocity},
                          {Block::Q_z, q, z, minus},
                          {Block::G_T, q, lambda, plus},
-                         {Block::Q_lambda, q, lambda, minus},
                          {Block::z_q, z, q, minus},
                          {Block::z_v, z, q, minus_velocity},
                          {Block::states, z, z, state_factor},
                          {Block::z_z, z, z, minus},
-                         {Block::z_lambda, z, lambda, minus},
                          {Block::G, lambda, q, plus},
                          {Block::H_hold, lambda, q, rate_factor},
                          {Block::dropped, lambda, lambda, plus},
@@ -106,13 +90,12 @@ GeneralisedAlpha::GeneralisedAlpha(Dynamics& dynamics, const Tolerances& toleran
       mask_(system_),
       guard_(dynamics),
       floor_(dynamics, tolerances_, {.own = 8.0, .followed = 4.0 * noise}) {
-  refuse_bristles(system_);
   for (Node* node : {&begin_, &end_, &new_}) allocate(*node);
   for (Vector* x : {&q_start_, &weight_q_, &weight_v_, &q_, &rounding_, &b_, &jerk_, &jerk_normal_,
                     &v_old_, &a_old_, &v_, &a_, &rate_, &dense_u_, &dense_v_})
     x->assign(at(n_), 0.0);
   for (Vector* x : {&b_z_, &w_old_, &w_, &z_rate_, &dense_z_}) x->assign(at(nz_), 0.0);
-  for (Vector* x : {&lambda_, &lambda_rate_, &rates_}) x->assign(at(rows_), 0.0);
+  for (Vector* x : {&lambda_, &lambda_rate_, &load_, &rates_}) x->assign(at(rows_), 0.0);
   for (Vector* x : {&second_, &second_old_, &dense_energy_}) x->assign(at(quadratures_), 0.0);
   for (Vector* x : {&g_from_, &g_to_, &g_low_, &g_high_, &g_}) x->assign(at(guard_.count()), 0.0);
   x_.assign(at(matrix_.size()), 0.0);

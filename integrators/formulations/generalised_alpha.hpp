@@ -22,6 +22,10 @@
 //   order h, unless v leaves the constraints by C h^2 times the part of v'' across them. That part
 //   depends on h, so every step projects the velocity of the last one and then shifts it.
 //
+// Forces that depend on reactions, as friction of joints, do not see lambda1, which is known to the rounding of
+// positions over h^2 only: that would be noise in Q. They see lambda of the acceleration level at the ends of
+// the last two steps, continued; what that errs by is of order h^2, as lambda1 does.
+//
 // Newton's unknowns are q1, z1, lambda1, with
 //
 //        q                                          z             lambda
@@ -138,6 +142,7 @@ class GeneralisedAlpha final : public Formulation {
   Vector jerk_normal_;          // its part across the constraints, in the metric of the masses
   Vector lambda_rate_;
   Vector v_old_, a_old_, w_old_;               // what the step being tried starts from
+  Vector load_;                                // multipliers that forces see in it
   Vector v_, a_, rate_, w_, z_rate_, lambda_;  // its iterates; positions and z are in new_
   Vector x_, force_;                           // Newton's right-hand side and correction
   Vector rates_;                               // G v + Phi_t

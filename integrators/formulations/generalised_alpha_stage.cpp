@@ -39,6 +39,7 @@ void GeneralisedAlpha::predict(double h) {
   }
   for (std::size_t i = 0; i < lambda_.size(); ++i)
     lambda_[i] = end_.lambda[i] + h * lambda_rate_[i];
+  load_ = lambda_;
 }
 
 bool GeneralisedAlpha::solve_stage(double h, double t) {
@@ -74,7 +75,7 @@ bool GeneralisedAlpha::calc_residual(double h, double t) {
   double* r_p = r_z + nz_;
   system_.calc_position_level(r_p);
   std::ranges::fill(force_, 0.0);
-  system_.set_multipliers(mask_.kept(lambda_.data()));
+  system_.set_multipliers(mask_.kept(load_.data()));
   system_.add_forces(force_.data(), nz_ > 0 ? r_z : nullptr, nullptr);
   system_.subtract_constraint_forces(mask_.kept(lambda_.data()), force_.data());
   double sum = 0.0;

@@ -20,6 +20,8 @@ constexpr double no_growth = 1e6;     // more than IDA ever proposes
 constexpr double grown_again = 4.0;   // since the last shortening
 constexpr double grown_since = 1.5;   // the same, after this many steps:
 constexpr long steps_between = 20;
+constexpr int often_refused = 8;       // growth, in as many steps
+constexpr int steps_to_be_judged = 2;  // of one length, more than the order
 
 }  // namespace
 
@@ -44,6 +46,8 @@ void IdaStepControl::accept(void* ida, double t, N_Vector weights, N_Vector scra
   last_h_ = h;
   last_order_ = order;
   limit_ = none;
+  const bool again = is_refused_again(ida, h);
+  if (again && order > 1) settling_ = order + steps_to_be_judged;
   if (++steps_ <= starting_steps) return;
   if (next_order > 1) {
     allow_growth(ida, settling_ == 0);
@@ -54,6 +58,18 @@ void IdaStepControl::accept(void* ida, double t, N_Vector weights, N_Vector scra
     settling_ = 0;
     allow_growth(ida, true);
   }
+}
+
+bool IdaStepControl::is_refused_again(void* ida, double h) {
+  long failures = 0;
+  IDAGetNumErrTestFails(ida, &failures);
+  const bool refused = failures > failures_ && proposed_h_ > h;
+  failures_ = failures;
+  refused_ = refused ? refused_ + 1 : 0;
+  IDAGetCurrentStep(ida, &proposed_h_);
+  if (refused_ < often_refused) return false;
+  refused_ = 0;
+  return true;
 }
 
 // Steps that noise, not an error of order 1, has made short must not become shorter and shorter.

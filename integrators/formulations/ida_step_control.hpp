@@ -10,6 +10,10 @@
 //
 // So after a fall a few steps are made so short that the error of order 1 is nothing, and the step
 // does not grow again before order 2 has forgotten it.
+//
+// Steps of any order that double and are refused, again and again: a change of the step is itself a
+// disturbance where errors of positions are made good by velocities, as in Baumgarte's equations. The order
+// is not judged then, since IDA waits for steps of one length. So they get some.
 #pragma once
 
 #include <yoke/integrators/sundials/vector.hpp>
@@ -29,6 +33,7 @@ class IdaStepControl {
 
  private:
   void allow_growth(void* ida, bool allowed);
+  bool is_refused_again(void* ida, double h);
   void shorten(void* ida, double t, N_Vector weights, N_Vector scratch);
 
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -41,6 +46,9 @@ class IdaStepControl {
   double shortened_to_ = 0.0;
   long shortened_at_ = 0;
   bool growing_ = true;
+  long failures_ = 0;        // of IDA's error test
+  int refused_ = 0;          // attempts to grow, one after the other
+  double proposed_h_ = 0.0;  // for the step that was accepted now
 };
 
 }  // namespace yoke

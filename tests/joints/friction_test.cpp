@@ -19,6 +19,7 @@
 #include <yoke/contact/laws/friction/coulomb.hpp>
 #include <yoke/contact/laws/friction/lugre.hpp>
 #include <yoke/contact/laws/friction/regularised_coulomb.hpp>
+#include <yoke/core/assembly.hpp>
 #include <yoke/integrators/analyses/inverse_dynamics.hpp>
 #include <yoke/integrators/analyses/mechanics.hpp>
 #include <yoke/integrators/simulate.hpp>
@@ -325,6 +326,24 @@ TEST_CASE("joint friction: a slider-crank breaks away at the torque of the frict
   }
 }
 
+// Where the crank is square to the guide the rod hardly turns, so the slider's pin hardly slides at first.
+TEST_CASE("joint friction: a pin slides that hardly turns with the mechanism at first") {
+  const double mu = 0.2;
+  for (const double beside : {1e-3, -1e-3}) {
+    SliderCrank m{.angle = 0.5 * pi + beside, .r_ground = 1e-6, .r_crank = 1e-6, .guide = false};
+    m.torque = [](double) { return 5.0; };
+    for (const char* formulation : {"arkode-projection", "ida-ggl"}) {
+      INFO(std::string(formulation), beside);
+      const Result r = simulate(m.model(), {.until = 0.1, .formulation = formulation});
+      REQUIRE(r.summary.ok());
+      const Eigen::VectorXd friction = r["slider_pin.friction.friction_force_N"].cwiseAbs();
+      const Eigen::VectorXd load = r["slider_pin.friction.load_N"];
+      CHECK(load.minCoeff() > 1.0);
+      CHECK((friction - mu * load).cwiseAbs().maxCoeff() < 1e-12 * load.maxCoeff());
+    }
+  }
+}
+
 TEST_CASE(
     "joint friction: a slider-crank runs out alike in all formulations, turned and mirrored") {
   const SliderCrank start{.speed = 12.0, .preload = 10.0};
@@ -354,6 +373,93 @@ TEST_CASE(
   }
 }
 
+// A carriage on its guide and a hinged arm, pinned together: nothing can move.
+Model structure(double torque) {
+  Model m;
+  const BodyId carriage = m.add(Body{.name = "carriage",
+                                     .mass = 0.05086011534540704,
+                                     .inertia = 9.706272320052635e-06,
+                                     .pose = {{0.014, -0.042}, 0.0}});
+  const BodyId arm = m.add(Body{
+      .name = "arm", .mass = 6.0, .inertia = 8.635531974927493e-4, .pose = {{-0.022, 0.03}, 0.0}});
+  m.add(Prismatic{.name = "guide", .a = ground, .b = carriage, .along = {-0.86, 0.51}});
+  m.add(Revolute{.name = "hinge", .a = ground, .b = arm, .at = {-0.0022, 0.0076}});
+  m.add(Revolute{
+      .name = "pin",
+      .a = carriage,
+      .b = arm,
+      .at = {0.011, -0.033},
+      .friction = PinFriction{.law = Coulomb{.mu = 0.24, .mu_static = 0.28}, .radius = 0.0018}});
+  m.add(AppliedTorque{.name = "torque", .body = carriage, .torque = [=](double t) {
+                        return torque * std::cos(2.3 * t + 2.8);
+                      }});
+  return m;
+}
+
+void check_that_it_rests(const Model& m, const State& start) {
+  for (const FormulationNote& f : formulations()) {
+    INFO(f.name);
+    const Result r = simulate(m, start,
+                              {.until = 0.1,
+                               .relative_tolerance = tolerance_of(f, 1e-9),
+                               .formulation = std::string(f.name)});
+    REQUIRE_MESSAGE(r.summary.ok(), r.summary.reason);
+    CHECK((r.final.q - start.q).norm() < 1e-15);
+    CHECK(times_of(r, "slip", "pin.friction").empty());
+    CHECK(r["pin.friction.friction_force_N"].norm() == 0.0);
+  }
+}
+
+TEST_CASE("joint friction: a pin of a loaded structure neither slides nor bears anything") {
+  const Model m = structure(3.645377392373994e-05);
+  check_that_it_rests(m, assemble(m));
+}
+
+TEST_CASE(
+    "joint friction: a pin of a structure without load rests, whatever rounding its speed is") {
+  const Model m = structure(0.0);
+  for (const double speed : {1e-5, 1e-3, 1e-1}) {
+    State start = assemble(m);
+    for (Eigen::Index i = 0; i < start.v.size(); ++i) start.v[i] = speed * std::cos(double(i));
+    check_that_it_rests(m, assemble(m, start, {}));
+  }
+}
+
+// A mass of 510 t at the end of two links of some kg, which whirl at their dead centre with reactions of 1e9 N.
+TEST_CASE("joint friction: generalised-alpha follows it through the dead centre of light links") {
+  Model m;
+  const BodyId first =
+      m.add(Body{.name = "first", .mass = 8.0, .inertia = 0.29, .pose = {{-0.21, 0.39}, 0.0}});
+  const BodyId second =
+      m.add(Body{.name = "second", .mass = 9.9, .inertia = 0.26, .pose = {{-0.018, 0.55}, 0.0}});
+  const BodyId heavy = m.add(Body{.name = "heavy",
+                                  .mass = 5.1e5,
+                                  .inertia = 9700.0,
+                                  .pose = {{0.062, 0.83}, 0.0},
+                                  .twist = {{0.0, 0.0}, -2.4}});
+  m.add(Revolute{.name = "foot", .a = ground, .b = first, .at = {-0.096, 0.26}});
+  m.add(Revolute{.name = "knee", .a = first, .b = second, .at = {-0.017, 0.42}});
+  m.add(Revolute{
+      .name = "pin",
+      .a = second,
+      .b = heavy,
+      .at = {-0.083, 0.75},
+      .friction = PinFriction{.law = Coulomb{.mu = 0.31, .mu_static = 0.37}, .radius = 0.02}});
+  SimulationOptions options{.until = 0.08, .relative_tolerance = 1e-10, .samples = 2};
+  const Result good = simulate(m, options);
+  options.formulation = "generalised-alpha";
+  for (const double tolerance : {1e-6, 1e-7}) {
+    options.relative_tolerance = tolerance;
+    const Result r = simulate(m, options);
+    REQUIRE_MESSAGE(r.summary.ok(), r.summary.reason);
+    for (const char* kind : {"stick", "slip"}) {
+      const std::vector<double> times = times_of(r, kind, "pin.friction");
+      REQUIRE(times.size() == 1);
+      CHECK(std::abs(times[0] - times_of(good, kind, "pin.friction").at(0)) < 0.02 * tolerance);
+    }
+  }
+}
+
 TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in every formulation") {
   for (const FrictionNote& info : friction_catalog()) {
     INFO(info.name);
@@ -369,11 +475,9 @@ TEST_CASE("joint friction: every law runs, dissipates and keeps its ledger in ev
       INFO(f.name);
       SimulationOptions o = options;
       o.relative_tolerance = tolerance_of(f, 1e-9);
+      // Order 2 takes many steps where bristles are as fast as here.
+      if (f.name == "generalised-alpha" && m.law.has_state()) o.relative_tolerance = 1e-5;
       o.formulation = std::string(f.name);
-      if (m.law.has_state() && f.name == "generalised-alpha") {
-        CHECK(contains(message_of([&] { (void)simulate(m.model(), o); }), "Choose another"));
-        continue;
-      }
       const Result r = simulate(m.model(), o);
       REQUIRE(r.summary.ok());
       CHECK(r.final.q[2] == Approx(reference.final.q[2]).epsilon(1e2 * o.relative_tolerance));

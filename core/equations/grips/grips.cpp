@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <yoke/core/equations/assemblies.hpp>
 #include <yoke/core/equations/linear/index.hpp>
 
 namespace yoke {
@@ -15,11 +16,13 @@ namespace {
 constexpr double at_limit = 1e-12;     // of the holding force: no more is kept for rounding
 constexpr double same_instant = 1e-9;  // of the holding force
 constexpr double immobile = 1e-10;     // of the mobility of the bodies without constraints
-// The same with other friction at rest. Two feet of one body are not quite at one height where they
-// penetrate differently: their rows tell that difference from zero, their friction does not.
+// With other friction at rest, of the mobility without. Two feet of one body are not quite at one height
+// where they penetrate differently: their rows tell that difference from zero, their friction does not.
 constexpr double hardly_mobile = 1e-6;
+constexpr double mobile_by_rounding = 1e-13;  // of the mobility of the bodies without constraints
 constexpr double no_acceleration = 1e-9;      // of its terms
 constexpr double next_to_no_friction = 1e-6;  // of the holding force
+constexpr double cancelled = 1e-12;           // of the reactions that hold a structure at rest
 
 /// The row of one hold at the motion set, whether it holds or not.
 struct Row {
@@ -65,6 +68,7 @@ class Settlement {
       : dynamics_(dynamics), system_(dynamics.system()), state_(state) {
     set_motion();
     for (const ConstraintSlot& hold : system_.holds()) consider(hold, before);
+    if (!candidates_.empty()) assembly_ = assemblies_of(system_);
     if (std::ranges::any_of(candidates_, &Candidate::broke)) break_with_it(before);
   }
 
@@ -88,6 +92,7 @@ class Settlement {
     bool broke = false;  // must not hold again at this instant
     bool guided = false;
     double alone = 0.0;      // [1/kg] mobility of the bodies without constraints
+    double free = 0.0;       // [1/kg] mobility where nothing holds
     double direction = 0.0;  // +1, -1 of one that slides
   };
 
@@ -140,18 +145,54 @@ class Settlement {
       c.memory->grip = c.rests ? Grip::carried : c.direction > 0.0 ? Grip::forward : Grip::backward;
     if (!dynamics_.calc_accelerations(state_)) return false;
     for (Candidate& c : candidates_) {  // nothing is held yet
-      const double mobility = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
-      c.guided = !(mobility > immobile * c.alone);
+      c.free = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
+      c.guided = !(c.free > immobile * c.alone);
       if (c.rests && c.guided) c.memory->grip = Grip::guided;
     }
     for (Candidate& c : candidates_) {
-      if (!c.rests || c.guided) continue;
-      if (!(dynamics_.mobility(*c.f, c.row.s.data(), c.alone) > hardly_mobile * c.alone)) continue;
+      if (!c.rests || c.guided || hangs_on_others(c)) continue;
       c.memory->grip = Grip::held;
       if (!dynamics_.calc_accelerations(state_) && !let_slide(c)) return false;
     }
     dynamics_.share_hold_forces(state_.lambda.data());
+    measure_reactions();
     return true;
+  }
+
+  bool hangs_on_others(Candidate& c) {
+    const double mobility = dynamics_.mobility(*c.f, c.row.s.data(), c.alone);
+    return !(mobility > std::max(hardly_mobile * c.free, mobile_by_rounding * c.alone));
+  }
+
+  /// Where nothing can move, accelerations are what rounding leaves of reactions that cancel the loads: the
+  /// terms of s a are as small then as their sum and say nothing of it.
+  void measure_reactions() {
+    jolt_.assign(assembly_.size(), 0.0);
+    for (const ConstraintSlot& c : system_.constraints())
+      for (int i = 0; i < c.rows; ++i)
+        for (int j = 0; j < c.columns; ++j)
+          if (const int dof = system_.dof()[at(c.dofs + j)]; dof >= 0)
+            note_reaction(dof, system_.G()[c.block + i * c.columns + j] * state_.lambda[c.row + i]);
+  }
+  void note_reaction(int dof, double pull) {
+    const double mass = system_.mass()[at(dof)];
+    if (mass == 0.0) return;  // it moves as others do
+    double& jolt = jolt_[at(assembly_[at(dof / 3)])];
+    jolt = std::max(jolt, std::abs(pull) / mass * unit_of(dof));
+  }
+  /// [m] An angle times this is a length.
+  double unit_of(int dof) const { return dof % 3 == 2 ? system_.scales().length : 1.0; }
+
+  /// [m/s^2] What an acceleration along the surface may be by rounding; no less than what makes the slowest
+  /// sliding within the time scale.
+  double noise(const Candidate& c, const Sum& along) const {
+    const Scales scales = system_.scales();
+    double noise = slowest_sliding(scales, 0.0) / scales.time + no_acceleration * along.size;
+    for (int j = 0; j < c.f->columns; ++j)
+      if (const int dof = system_.dof()[at(c.f->dofs + j)]; dof >= 0)
+        noise +=
+            cancelled * std::abs(c.row.s[at(j)]) * jolt_[at(assembly_[at(dof / 3)])] / unit_of(dof);
+    return noise;
   }
 
   /// No reactions let it rest: it slides the way it would be accelerated without friction.
@@ -195,14 +236,14 @@ class Settlement {
       return {std::abs(T) / std::max(limit, std::numeric_limits<double>::min()), way};
     if (c.memory->grip != Grip::guided) return {0.0, 0.0};
     const Sum along = acceleration(c);
-    const bool rests = std::abs(along.value) <= no_acceleration * along.size;
+    const bool rests = std::abs(along.value) <= noise(c, along);
     return {rests ? 0.0 : std::numeric_limits<double>::infinity(), along.value < 0.0 ? -1.0 : 1.0};
   }
 
   Verdict of_sliding(const Candidate& c) const {
     const Sum along = acceleration(c);
     const double limit = c.f->element->holding_force(system_.force_input(*c.f));
-    const double nothing = no_acceleration * along.size + next_to_no_friction * c.alone * limit;
+    const double nothing = noise(c, along) + next_to_no_friction * c.alone * limit;
     const double against = -c.direction * along.value;
     return {against > nothing ? against / along.size : 0.0, -c.direction};
   }
@@ -231,6 +272,8 @@ class Settlement {
   System& system_;
   State& state_;
   std::vector<Candidate> candidates_;
+  std::vector<int> assembly_;  // [bodies]
+  std::vector<double> jolt_;   // [assemblies, m/s^2] the most that one reaction alone would make
 };
 
 }  // namespace
