@@ -198,7 +198,9 @@ Step SingularCrossing::accept_segment() {
   largest_ = std::max(largest_, m);
   const double away =
       std::min(std::max(2.0 * m_entry_, 5.0 * near * largest_), far_enough * largest_);
-  if (rising && m > away) end_crossing();
+  // Equations that are nearly dependent all along, as those of a gear of ratio 1.0003: nothing to get away from.
+  const bool stays = m > far_enough * largest_ && to_singular_ > dynamics_.system().scales().time;
+  if ((rising && m > away) || stays) end_crossing();
   if (!leaving_ && segments_ > max_segments) end_crossing();
   return failure_.empty() ? Step::advanced : Step::failed;
 }
