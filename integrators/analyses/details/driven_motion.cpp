@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <yoke/integrators/run/constraint_summary.hpp>
 #include <yoke/integrators/run/failure_messages.hpp>
@@ -28,6 +29,8 @@ constexpr double coasting =
 constexpr double rounding = 1e-9;  // length scales or rad: a correction that needs no excuse
 constexpr double nearly_dependent = 1e-4;  // independence at a dead point, as near as one can go
 constexpr double worth_a_look = 0.05;      // independence of a minimum that is located
+constexpr long steps_to_get_on = 5000;     // to go a little way, in the search for a dead point:
+constexpr double little_way = 1e-2;        // of how far ahead it is looked for
 
 /// Bodies that the constraints let move at this pose, at most five.
 std::vector<std::string> movable_bodies(Dynamics& dynamics, const State& state) {
@@ -205,7 +208,14 @@ std::string find_dead_point(const Model& model, const State& from, const std::ve
   if (!driven) return {};
   try {
     DrivenMotion motion(model, from, dropped, t_failed + reach);
-    if (motion.advance(t_failed + reach)) return {};
+    // What runs away, as a degree of freedom that is left may, gets nowhere in ever shorter steps.
+    double t_marked = from.t;
+    const auto gets_on = [&](const State&, const State& after) {
+      if (motion.steps() % steps_to_get_on != 0) return true;
+      const double way = after.t - std::exchange(t_marked, after.t);
+      return way > little_way * reach;
+    };
+    if (motion.advance(t_failed + reach, gets_on)) return {};
     return motion.at_dead_point() ? motion.failure() : "";
   } catch (const std::exception&) {  // whatever it is, it is not this
     return {};
