@@ -101,35 +101,45 @@ void print_problems() {
     print_evaluations(problem);
 }
 
-/// Work of a formulation over the tolerances, not followed where it takes much longer than `fastest` [s]
-/// of each, which is kept up to date.
-std::vector<WorkPoint> measure(const Problem& problem, const std::string& formulation,
-                               const Result& reference, std::vector<double>& fastest) {
-  constexpr double hopeless = 10.0;  // times as long
-  constexpr double repeated = 0.02;  // [s] shorter runs are made again
-  std::vector<WorkPoint> curve;
-  for (std::size_t i = 0; i < fastest.size(); ++i) {
-    SimulationOptions options{.until = problem.end,
-                              .relative_tolerance = std::pow(10.0, -4.0 - 2.0 * double(i)),
-                              .formulation = formulation,
-                              .samples = 51};
-    double seconds = 0.0;
-    Result result;
-    for (int round = 0; round < 5 && (round == 0 || seconds < repeated); ++round) {
-      const auto begin = Clock::now();
-      options.observer = [&](const Progress&) {
-        return seconds_since(begin) < hopeless * fastest[i];
-      };
-      result = simulate(problem.model, options);
-      const double taken = seconds_since(begin);
-      seconds = round == 0 ? taken : std::min(seconds, taken);
-    }
-    const double error = largest_difference(result, reference);
-    if (std::isnan(error)) continue;
-    curve.push_back({.error = error, .work = seconds});
-    fastest[i] = std::min(fastest[i], seconds);
+constexpr std::size_t tolerances = 4;  // 1e-4, 1e-6, ...
+constexpr double hopeless = 10.0;      // times as long as another: not followed
+constexpr int rounds = 7;  // of all formulations in turn, the fastest run of each counts
+constexpr double enough_seconds = 10.0;  // after which there is no other round
+
+struct Candidate {
+  std::string formulation;
+  std::vector<WorkPoint> curve = std::vector<WorkPoint>(
+      tolerances, {.error = 0.0, .work = std::numeric_limits<double>::infinity()});
+};
+
+/// Each tolerance once; `fastest` [s] of each is kept up to date.
+void run_once(const Problem& problem, const Result& reference, Candidate& candidate,
+              std::vector<double>& fastest) {
+  for (std::size_t i = 0; i < tolerances; ++i) {
+    WorkPoint& point = candidate.curve[i];
+    if (std::isnan(point.error)) continue;
+    const auto begin = Clock::now();
+    const Result result =
+        simulate(problem.model, {.until = problem.end,
+                                 .relative_tolerance = std::pow(10.0, -4.0 - 2.0 * double(i)),
+                                 .formulation = candidate.formulation,
+                                 .samples = 51,
+                                 .observer = [&](const Progress&) {
+                                   return seconds_since(begin) < hopeless * fastest[i];
+                                 }});
+    const double taken = seconds_since(begin);
+    point.error = largest_difference(result, reference);
+    if (std::isnan(point.error)) continue;
+    point.work = std::min(point.work, taken);
+    fastest[i] = std::min(fastest[i], taken);
   }
-  return curve;
+}
+
+double work_of(const Candidate& candidate, double wanted) {
+  std::vector<WorkPoint> whole;
+  for (const WorkPoint& point : candidate.curve)
+    if (!std::isnan(point.error)) whole.push_back(point);
+  return work_at(whole, wanted);
 }
 
 void print_case(const cases::Case& c) {
@@ -144,16 +154,23 @@ void print_case(const cases::Case& c) {
     fmt::print(" - | - | - | too sensitive, or not run to its end |\n");
     return;
   }
-  std::vector<double> fastest(4, std::numeric_limits<double>::infinity());
-  double best = work_at(measure(problem, "automatic", reference, fastest), wanted);
-  const double chosen = best;
+  std::vector<Candidate> candidates{{.formulation = "automatic"}};
+  for (const FormulationNote& f : formulations())
+    if (f.name != reference.summary.formulation)
+      candidates.push_back({.formulation = std::string(f.name)});
+  // In turn: what else the machine does meets all of them.
+  std::vector<double> fastest(tolerances, std::numeric_limits<double>::infinity());
+  const auto begin = Clock::now();
+  for (int round = 0; round < rounds && seconds_since(begin) < enough_seconds; ++round)
+    for (Candidate& candidate : candidates) run_once(problem, reference, candidate, fastest);
+  const double chosen = work_of(candidates.front(), wanted);
+  double best = chosen;
   std::string name = reference.summary.formulation;
-  for (const FormulationNote& f : formulations()) {
-    if (f.name == reference.summary.formulation) continue;
-    const double work = work_at(measure(problem, std::string(f.name), reference, fastest), wanted);
+  for (const Candidate& candidate : candidates) {
+    const double work = work_of(candidate, wanted);
     if (!(work < best)) continue;
     best = work;
-    name = f.name;
+    name = candidate.formulation;
   }
   fmt::print(" {} | {} | {:.2f} | {:.3g} |\n", reference.summary.formulation, name, chosen / best,
              1e3 * chosen);

@@ -11,17 +11,6 @@
 
 namespace yoke {
 
-namespace {
-
-/// The rows of A -= B C^T of 2 x 2 blocks.
-inline void subtract_product(double* A, const Pair& upper, const Pair& lower, const double* C) {
-  const Pair left(C[0], C[2]), right(C[1], C[3]);
-  put(A, pair_at(A) - (upper[0] * left + upper[1] * right));
-  put(A + 2, pair_at(A + 2) - (lower[0] * left + lower[1] * right));
-}
-
-}  // namespace
-
 std::unique_ptr<BlockElimination> BlockElimination::make(int columns,
                                                          std::vector<std::pair<int, int>> pairs) {
   std::unique_ptr<BlockElimination> made(new BlockElimination);
@@ -74,8 +63,13 @@ bool BlockElimination::factorise(double least) {
       const double* B = below + 4 * a;
       const Pair upper = B[0] * pair_at(D) + B[1] * pair_at(D + 2);
       const Pair lower = B[2] * pair_at(D) + B[3] * pair_at(D + 2);
-      for (int b = 0; b <= a; ++b)
-        subtract_product(value_.data() + *update++, upper, lower, below + 4 * b);
+      for (int b = 0; b <= a; ++b) {
+        double* A = value_.data() + *update++;  // less B D C^T
+        const double* C = below + 4 * b;
+        const Pair left(C[0], C[2]), right(C[1], C[3]);
+        put(A, pair_at(A) - (upper[0] * left + upper[1] * right));
+        put(A + 2, pair_at(A + 2) - (lower[0] * left + lower[1] * right));
+      }
     }
     D = below + 4 * count;
   }
