@@ -203,8 +203,8 @@ class Dynamics {
   std::vector<double> weakest_;
   int weakest_row_ = 0;
   int worst_row_ = 0;
-  double factors_for_ =
-      0.0;  // violation where a position was when its factors were made, or infinity
+  // Violation of the position that the factors of its last projection were made at, or infinity.
+  double factors_for_ = 0.0;
   double worst_residual_ = 0.0;
   long evaluations_ = 0;
 };

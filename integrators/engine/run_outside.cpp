@@ -206,7 +206,7 @@ void Run::restore(const Snapshot& s) {
   standstill_.start(state_.t, {.start = state_.t});
   disturb();
   if (struck) elements_.settle();
-  largest_independence_ = 0.0;
+  largest_independence_ = 0.0;  // what it saw on other ways says nothing of the one from here
   make_formulation();
 }
 

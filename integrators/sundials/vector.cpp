@@ -132,7 +132,7 @@ sunrealtype largest_group(N_Vector x_vector, N_Vector w_vector) {
   return std::isfinite(sum) ? std::sqrt(largest / coordinates) : sum;
 }
 
-/// The sum of the first so many terms at a time, added up from left to right.
+/// Adds terms to a sum from left to right, four in one pass over it.
 class Terms {
  public:
   explicit Terms(std::size_t size) : size_(size) {}

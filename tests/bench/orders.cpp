@@ -128,8 +128,11 @@ void run_once(const Problem& problem, const Result& reference, Candidate& candid
                                    return seconds_since(begin) < hopeless * fastest[i];
                                  }});
     const double taken = seconds_since(begin);
-    point.error = largest_difference(result, reference);
-    if (std::isnan(point.error)) continue;
+    const double error = largest_difference(result, reference);
+    if (std::isnan(error) && std::isfinite(point.work))
+      continue;  // cut by what else the machine did
+    point.error = error;
+    if (std::isnan(error)) continue;
     point.work = std::min(point.work, taken);
     fastest[i] = std::min(fastest[i], taken);
   }

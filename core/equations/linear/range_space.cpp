@@ -351,7 +351,8 @@ bool RangeSpace::solve_nearly(double* b) {
   if (factors_->smallest_pivot() < one_refinement) return false;
   loaded_ = false;
   a_ = b;
-  std::ranges::fill(lambda_, 0.0);
+  std::ranges::fill(lambda_,
+                    0.0);  // nobody asks for them, but sums of many corrections may overflow
   for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
     Pair right = of_rows(nodes_[k].row, b + dofs_);
     for (int i = 0; i < 2; ++i)
